@@ -1,0 +1,8 @@
+#include "algorithms/Algorithms.h"
+
+namespace mrpp
+{
+
+void registerAlgorithms(Catalog &) {}
+
+} // namespace mrpp

@@ -1,0 +1,72 @@
+#pragma once
+/// \file
+/// Runs a plan: every planner on every instance, each answer checked and kept.
+///
+/// \code
+/// Benchmark benchmark(plan, catalog);
+/// benchmark.setPostRunEvent([](RunRecord &record, const Instance &, const Solution &) { record.extra["mine"]
+/// = 1.0; }); Benchmark::Summary summary = benchmark.benchmark({.folder = "results/mine"}, stopToken);
+/// \endcode
+
+#include "framework/Catalog.h"
+#include "framework/campaign/BenchmarkPlan.h"
+#include "framework/campaign/RunRecord.h"
+
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <optional>
+#include <stop_token>
+#include <string>
+
+namespace mrpp
+{
+
+class Benchmark
+{
+public:
+    struct Request
+    {
+        std::filesystem::path folder;     ///< the campaign's folder; made where missing
+        std::optional<std::int64_t> jobs; ///< overrides the plan's
+        std::int64_t shard = 1;           ///< 1 … shards: run the shard-th part only
+        std::int64_t shards = 1;
+        /// Told after every finished run, one call at a time.
+        std::function<void(const RunRecord &record, std::size_t done, std::size_t total, double secondsLeft)>
+            progress;
+    };
+
+    struct Summary
+    {
+        std::size_t planned = 0;  ///< runs of the plan (of this shard)
+        std::size_t kept = 0;     ///< finished before
+        std::size_t finished = 0; ///< finished now
+        bool interrupted = false;
+        std::map<PlannerStatus, std::size_t> statuses; ///< of all finished runs
+    };
+
+    /// Called in the order: pre-run event, setup, solve, checks, metrics, post-run event, store.
+    using PreRunEvent = std::function<void(Planner &, const RunSpec &)>;
+    using PostRunEvent = std::function<void(RunRecord &, const Instance &, const Solution &)>;
+
+    Benchmark(BenchmarkPlan plan, const Catalog &catalog);
+
+    void setPreRunEvent(PreRunEvent event) { preRun_ = std::move(event); }
+    void setPostRunEvent(PostRunEvent event) { postRun_ = std::move(event); }
+
+    [[nodiscard]] const BenchmarkPlan &plan() const { return plan_; }
+
+    /// Checks every input file, then runs what the folder does not hold yet; each finished run is durable
+    /// before the next begins. A stop request ends the current runs without keeping them.
+    /// Throws InputError before anything is written, and FileError where the folder cannot be used (or
+    /// another process is running a campaign in it).
+    Summary benchmark(const Request &request, std::stop_token stop);
+
+private:
+    BenchmarkPlan plan_;
+    const Catalog &catalog_;
+    PreRunEvent preRun_;
+    PostRunEvent postRun_;
+};
+
+} // namespace mrpp

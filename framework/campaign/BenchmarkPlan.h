@@ -1,0 +1,98 @@
+#pragma once
+/// \file
+/// A plan after reading: problems with their sweeps resolved, planners with their settings, and how to run
+/// them; and the runs that follow from it.
+
+#include "framework/Planner.h"
+#include "framework/Problem.h"
+#include "framework/campaign/RunRecord.h"
+#include "framework/model/MotionRule.h"
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace mrpp
+{
+
+/// Per-run limits.
+struct Limits
+{
+    double time = 60;     ///< seconds, wall, of solve()
+    double memory = 4096; ///< MB (10^6 bytes)
+};
+
+/// A name and its settings: a planner or an optimizer of a plan.
+struct Configured
+{
+    std::string kind;                                          ///< registered name
+    std::string name;                                          ///< in results and figures; unique in the plan
+    std::vector<std::pair<std::string, std::string>> settings; ///< parameter, value
+};
+
+/// One point of a sweep (or a problem without one).
+struct ProblemPoint
+{
+    std::string model;                      ///< registered family: "public_benchmark"
+    std::shared_ptr<const Problem> problem; ///< configured
+    std::string name;                       ///< problem column; the same for all points of one sweep
+    std::string sweepVariable;              ///< "robots", "side", …; empty where nothing is swept
+    std::optional<double> sweepValue;
+    std::string settings; ///< canonical, with the number of robots
+};
+
+/// How the runs are executed.
+struct Execution
+{
+    std::int64_t jobs = 1;
+    std::string isolation = "none"; ///< "none": in this process
+};
+
+/// What a campaign's folder keeps beside its results.
+struct Keep
+{
+    bool instances = false; ///< instances/CASE.graphml and .instance
+    bool solutions = false; ///< solutions/CASE.PLANNER.csv
+};
+
+struct BenchmarkPlan
+{
+    std::string campaign;
+    Seed seed = 1;
+    std::int64_t repetitions = 1;
+    Limits limits;
+    std::vector<ProblemPoint> points;
+    std::vector<Configured> planners;
+    std::vector<Configured> optimizers;
+    std::vector<std::string> reports;
+    MotionRule motion = MotionRule::rotation;
+    Execution execution;
+    Keep keep;
+    std::string text;           ///< the plan file, verbatim
+    std::filesystem::path file; ///< where it was read
+};
+
+/// One run before it happens. Indices are into the plan.
+struct RunSpec
+{
+    std::size_t point = 0;
+    std::size_t planner = 0;
+    std::int64_t repetition = 0;
+    Seed graphSeed = 0;
+    Seed instanceSeed = 0;
+    Seed plannerSeed = 0;
+    std::string caseId;
+    std::string
+        runKey; ///< changes with anything that the result may depend on: settings, seeds, input files'
+                ///< contents, limits, optimizers, motion rule; not with names, order, jobs or other runs
+};
+
+/// Every run of the plan, in the plan's order: by problem point, repetition, planner. Seeds derive from the
+/// campaign's seed, the problem and the repetition, never from the planner. Reads the problems' input files
+/// (for the keys); throws InputError where one is missing.
+[[nodiscard]] std::vector<RunSpec> expand(const BenchmarkPlan &plan);
+
+} // namespace mrpp

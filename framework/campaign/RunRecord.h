@@ -1,0 +1,107 @@
+#pragma once
+/// \file
+/// One row of results: one planner on one instance once. A single table of columns (runColumns) drives the
+/// store, the CSV and the JSON, so that they cannot disagree.
+
+#include "framework/PlannerStatus.h"
+#include "framework/support/Random.h"
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace mrpp
+{
+
+/// A cell: nothing, a whole number, a number, or text.
+using Value = std::variant<std::monostate, std::int64_t, double, std::string>;
+
+struct RunRecord
+{
+    // Which run it is.
+    std::string runKey; ///< content key: the same key, the same question to the same planner
+    std::string caseId; ///< "small_benchmark/tree/0": the same instance for every planner
+    std::string model;  ///< the problem family: "small_benchmark"
+    std::string problem;
+    std::string sweepVariable; ///< empty where nothing is swept
+    std::optional<double> sweepValue;
+    std::int64_t repetition = 0;
+    Seed graphSeed = 0;
+    Seed instanceSeed = 0;
+    Seed plannerSeed = 0;
+    std::int64_t attempt = 1; ///< how often this run was begun, this time included
+    std::string planner;      ///< the name in the plan, else the planner's own
+    std::string motion;       ///< the campaign's motion rule
+
+    // The instance.
+    std::optional<std::int64_t> vertices;
+    std::optional<std::int64_t> edges;
+    std::optional<std::int64_t> robots;
+    std::optional<std::int64_t> free;
+    std::optional<double> occupancy;
+    std::optional<std::int64_t> pathLengthLowerBound;
+    std::optional<std::int64_t> makespanLowerBound;
+    std::string instanceFingerprint;
+
+    // How it ended.
+    PlannerStatus status = PlannerStatus::unknown;
+    std::string reason;
+    std::optional<double> completed; ///< share of robots at their goals
+
+    // What it cost: wall seconds on the monotonic clock, MB.
+    std::optional<double> time; ///< of solve() alone
+    std::optional<double> setupTime;
+    std::optional<double> optimizationTime;
+    std::optional<double> memory; ///< peak of the run
+
+    // The solution; nothing where there is none.
+    std::optional<std::int64_t> pathLength;
+    std::optional<std::int64_t> actions;
+    std::optional<std::int64_t> makespan;
+    std::optional<std::int64_t> sumOfCosts;
+    std::optional<std::int64_t> optimizedPathLength;
+    std::optional<std::int64_t> optimizedActions;
+    std::optional<std::int64_t> optimizedMakespan;
+    std::optional<std::int64_t> optimizedSumOfCosts;
+    std::string solutionFingerprint;
+
+    /// Columns that pre- and post-run events added.
+    std::map<std::string, Value> extra;
+
+    [[nodiscard]] bool solved() const { return status == PlannerStatus::solved; }
+};
+
+/// One column of RunRecord.
+struct RunColumn
+{
+    enum class Type
+    {
+        integer,
+        real,
+        text,
+    };
+    std::string_view name;
+    Type type = Type::text;
+    bool inSolveJson = false; ///< whether `solve --json` has it
+    std::function<Value(const RunRecord &)> get;
+    std::function<void(RunRecord &, const Value &)> set; ///< takes what get gave; wrong types are ignored
+};
+
+/// All columns in the order of results.csv.
+[[nodiscard]] const std::vector<RunColumn> &runColumns();
+
+/// The column of that name, or null.
+[[nodiscard]] const RunColumn *findRunColumn(std::string_view name);
+
+/// A metric's (any numeric column's) value in a record; nothing where it is empty.
+[[nodiscard]] std::optional<double> numericValue(const RunRecord &record, std::string_view column);
+
+/// The cell as text: shortest numbers that read back as the same value, nothing for empty.
+[[nodiscard]] std::string toText(const Value &value);
+
+} // namespace mrpp

@@ -1,0 +1,8 @@
+#include "problems/Problems.h"
+
+namespace mrpp
+{
+
+void registerProblems(Catalog &) {}
+
+} // namespace mrpp

@@ -1,0 +1,8 @@
+#include "reports/Reports.h"
+
+namespace mrpp
+{
+
+void registerReports(Catalog &) {}
+
+} // namespace mrpp

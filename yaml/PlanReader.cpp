@@ -1,0 +1,5 @@
+#include "yaml/PlanReader.h"
+
+namespace mrpp
+{
+} // namespace mrpp

@@ -1,0 +1,25 @@
+#pragma once
+/// \file
+/// Reads a plan: strict YAML in, a BenchmarkPlan out, every complaint with file:line:column.
+
+#include "framework/Catalog.h"
+#include "framework/campaign/BenchmarkPlan.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace mrpp
+{
+
+/// Reads the plan's file. Relative paths in it start at its own folder, then at `searchPaths` in order.
+/// Throws PlanError (grammar), ParamError, FileError.
+[[nodiscard]] BenchmarkPlan readPlan(const std::filesystem::path &file, const Catalog &catalog,
+                                     const std::vector<std::filesystem::path> &searchPaths = {});
+
+/// The same from text. \param file for messages, and for the folder where relative paths start
+[[nodiscard]] BenchmarkPlan parsePlan(const std::string &text, const std::filesystem::path &file,
+                                      const Catalog &catalog,
+                                      const std::vector<std::filesystem::path> &searchPaths = {});
+
+} // namespace mrpp
