@@ -84,15 +84,31 @@ struct RunSpec
     Seed graphSeed = 0;
     Seed instanceSeed = 0;
     Seed plannerSeed = 0;
+
+    /// Unique among the plan's cases, each of its parts a safe file name: "small_benchmark/tree/0",
+    /// "public_benchmark/room/robots=20/0". Of points that would read alike, the second gets "#2".
     std::string caseId;
-    std::string
-        runKey; ///< changes with anything that the result may depend on: settings, seeds, input files'
-                ///< contents, limits, optimizers, motion rule; not with names, order, jobs or other runs
+
+    /// Changes with anything that the result may depend on: settings, seeds, input files' contents, limits,
+    /// optimizers, motion rule; not with names, order, jobs or other runs. A question that the plan asks
+    /// twice (two entries with the same settings) is measured twice: the second has a key of its own.
+    std::string runKey;
+};
+
+/// What expand() does about an input file that is gone.
+enum class MissingInput
+{
+    refuse,   ///< throws FileError: nothing can run
+    tolerate, ///< leaves the keys of its runs empty: old results can still be shown
 };
 
 /// Every run of the plan, in the plan's order: by problem point, repetition, planner. Seeds derive from the
 /// campaign's seed, the problem and the repetition, never from the planner. Reads the problems' input files
-/// (for the keys); throws InputError where one is missing.
-[[nodiscard]] std::vector<RunSpec> expand(const BenchmarkPlan &plan);
+/// (for the keys).
+[[nodiscard]] std::vector<RunSpec> expand(const BenchmarkPlan &plan,
+                                          MissingInput missing = MissingInput::refuse);
+
+/// The record of a run before it happens: which run it is, and the motion rule.
+[[nodiscard]] RunRecord blankRecord(const BenchmarkPlan &plan, const RunSpec &spec);
 
 } // namespace mrpp

@@ -92,7 +92,8 @@ struct RunColumn
     std::function<void(RunRecord &, const Value &)> set; ///< takes what get gave; wrong types are ignored
 };
 
-/// All columns in the order of results.csv.
+/// All columns in the order of results.csv; those that events added (RunRecord::extra) stand behind them, by
+/// name.
 [[nodiscard]] const std::vector<RunColumn> &runColumns();
 
 /// The column of that name, or null.
@@ -101,7 +102,8 @@ struct RunColumn
 /// A metric's (any numeric column's) value in a record; nothing where it is empty.
 [[nodiscard]] std::optional<double> numericValue(const RunRecord &record, std::string_view column);
 
-/// The cell as text: shortest numbers that read back as the same value, nothing for empty.
+/// The cell as text: shortest numbers that read back as the same value, nothing for empty and for numbers
+/// that are not finite.
 [[nodiscard]] std::string toText(const Value &value);
 
 } // namespace mrpp

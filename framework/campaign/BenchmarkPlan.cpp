@@ -1,0 +1,167 @@
+#include "framework/campaign/BenchmarkPlan.h"
+
+#include "framework/support/Config.h"
+#include "framework/support/Error.h"
+#include "framework/support/File.h"
+#include "framework/support/Fingerprint.h"
+
+#include <algorithm>
+#include <map>
+
+namespace mrpp
+{
+
+namespace
+{
+
+/// One part of a path: letters, digits and a few signs stay, every other character becomes one '_'.
+std::string fileNamePart(std::string_view text)
+{
+    constexpr std::size_t kLongest = 100; // file systems take 255 bytes; names are joined with others
+    constexpr std::string_view kSafe = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789._=+-";
+    std::string part;
+    for (const char c : text)
+    {
+        const bool continuesCharacter = (static_cast<unsigned char>(c) & 0xC0U) == 0x80U;
+        if (continuesCharacter)
+            continue;
+        part += kSafe.find(c) == std::string_view::npos ? '_' : c;
+    }
+    part.resize(std::min(part.size(), kLongest));
+    if (part.empty() || part.front() == '.')
+        part.insert(part.begin(), '_');
+    return part;
+}
+
+/// The case ids without their repetition, one a point.
+std::vector<std::string> pointIds(const BenchmarkPlan &plan)
+{
+    std::vector<std::string> ids;
+    std::map<std::string, int> uses;
+    for (const ProblemPoint &point : plan.points)
+    {
+        std::string id = fileNamePart(point.model) + "/" + fileNamePart(point.name);
+        if (!point.sweepVariable.empty())
+            id += "/" + fileNamePart(point.sweepVariable + "=" +
+                                     (point.sweepValue ? formatNumber(*point.sweepValue) : ""));
+        const int use = ++uses[id];
+        ids.push_back(use == 1 ? id : id + "#" + std::to_string(use)); // '#' is not in any part
+    }
+    return ids;
+}
+
+/// Hashes of input files, each read once.
+class InputHashes
+{
+public:
+    /// Of all files together; nothing where one is missing and that is tolerated.
+    std::optional<std::string> of(const std::vector<std::filesystem::path> &files, MissingInput missing)
+    {
+        Fingerprint hash;
+        for (const std::filesystem::path &file : files)
+        {
+            auto [entry, isNew] = known_.try_emplace(file);
+            try
+            {
+                if (isNew)
+                    entry->second = Fingerprint().add(readFile(file)).hex();
+            }
+            catch (const FileError &)
+            {
+                known_.erase(entry);
+                if (missing == MissingInput::tolerate)
+                    return std::nullopt;
+                throw;
+            }
+            hash.add(entry->second);
+        }
+        return hash.hex();
+    }
+
+private:
+    std::map<std::filesystem::path, std::string> known_;
+};
+
+/// Kind and settings; sorted, and numbers in one spelling, as neither their order nor their spelling matters.
+void add(Fingerprint &hash, const Configured &configured)
+{
+    auto settings = configured.settings;
+    for (auto &[name, value] : settings)
+        if (const auto number = parseNumber(value))
+            value = formatNumber(*number);
+    std::sort(settings.begin(), settings.end());
+    hash.add(configured.kind).add(static_cast<std::uint64_t>(settings.size()));
+    for (const auto &[name, value] : settings)
+        hash.add(name).add(value);
+}
+
+std::string runKey(const BenchmarkPlan &plan, const RunSpec &spec, const std::string &inputs)
+{
+    const ProblemPoint &point = plan.points[spec.point];
+    Fingerprint hash;
+    hash.add("run 1").add(point.model).add(point.settings).add(inputs);
+    hash.add(spec.graphSeed).add(spec.instanceSeed).add(spec.plannerSeed);
+    add(hash, plan.planners[spec.planner]);
+    hash.add(static_cast<std::uint64_t>(plan.optimizers.size()));
+    for (const Configured &optimizer : plan.optimizers)
+        add(hash, optimizer);
+    hash.add(plan.limits.time).add(plan.limits.memory).add(toString(plan.motion));
+    return hash.hex();
+}
+
+} // namespace
+
+std::vector<RunSpec> expand(const BenchmarkPlan &plan, MissingInput missing)
+{
+    const std::vector<std::string> ids = pointIds(plan);
+    InputHashes hashes;
+    std::map<std::string, std::uint64_t> asked; // how often a question came up so far
+    std::vector<RunSpec> specs;
+    specs.reserve(plan.points.size() * static_cast<std::size_t>(plan.repetitions) * plan.planners.size());
+    for (std::size_t p = 0; p < plan.points.size(); ++p)
+    {
+        const ProblemPoint &point = plan.points[p];
+        const std::string &identity = point.problem->identity();
+        const auto inputs = hashes.of(point.problem->inputFiles(), missing);
+        for (std::int64_t repetition = 0; repetition < plan.repetitions; ++repetition)
+        {
+            RunSpec spec;
+            spec.point = p;
+            spec.repetition = repetition;
+            spec.graphSeed = deriveSeed(plan.seed, "graph", point.model, identity, repetition);
+            spec.instanceSeed = deriveSeed(plan.seed, "instance", point.model, identity, repetition);
+            spec.plannerSeed = deriveSeed(plan.seed, "planner", point.model, point.settings, repetition);
+            spec.caseId = ids[p] + "/" + std::to_string(repetition);
+            for (spec.planner = 0; spec.planner < plan.planners.size(); ++spec.planner)
+            {
+                spec.runKey = inputs ? runKey(plan, spec, *inputs) : std::string();
+                if (inputs)
+                    if (const std::uint64_t times = ++asked[spec.runKey]; times > 1)
+                        spec.runKey = Fingerprint().add(spec.runKey).add(times).hex();
+                specs.push_back(spec);
+            }
+        }
+    }
+    return specs;
+}
+
+RunRecord blankRecord(const BenchmarkPlan &plan, const RunSpec &spec)
+{
+    const ProblemPoint &point = plan.points[spec.point];
+    RunRecord record;
+    record.runKey = spec.runKey;
+    record.caseId = spec.caseId;
+    record.model = point.model;
+    record.problem = point.name;
+    record.sweepVariable = point.sweepVariable;
+    record.sweepValue = point.sweepValue;
+    record.repetition = spec.repetition;
+    record.graphSeed = spec.graphSeed;
+    record.instanceSeed = spec.instanceSeed;
+    record.plannerSeed = spec.plannerSeed;
+    record.planner = plan.planners[spec.planner].name;
+    record.motion = toString(plan.motion);
+    return record;
+}
+
+} // namespace mrpp
