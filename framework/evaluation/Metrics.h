@@ -40,8 +40,10 @@ struct SolutionMetrics
     std::uint64_t pathLength = 0; ///< moves
     std::uint64_t actions = 0;    ///< moves, a rotation counting one
     std::uint64_t makespan = 0;   ///< steps of the condensed solution
-    std::uint64_t sumOfCosts = 0; ///< sum over robots of the step after which it stays at its goal
-    double completed = 0;         ///< share of robots that end at their goals, 0 … 1 (1 without robots)
+    /// Sum over robots of the step after which it stays at its goal (0 where it never moves); a robot that
+    /// does not end there counts the whole makespan.
+    std::uint64_t sumOfCosts = 0;
+    double completed = 0; ///< share of robots that end at their goals, 0 … 1 (1 without robots)
 };
 
 /// Condenses the solution under `rule` and measures it. O(robots + vertices + moves).
