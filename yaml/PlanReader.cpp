@@ -1,5 +1,355 @@
 #include "yaml/PlanReader.h"
 
+#include "framework/support/File.h"
+#include "framework/support/Suggestion.h"
+#include "yaml/ProblemList.h"
+#include "yaml/YamlConfig.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <set>
+#include <utility>
+
 namespace mrpp
 {
+
+namespace
+{
+
+const Config &requireMap(const Config &node, const SourceLocation &where, const std::string &what)
+{
+    if (!node.isMap())
+        throw PlanError(node.where().line > 0 ? node.where() : where, what);
+    return node;
+}
+
+void checkKeys(const Config &map, const std::string &owner, const std::vector<std::string> &known)
+{
+    for (const Config::Entry &entry : map.entries())
+        if (std::find(known.begin(), known.end(), entry.key) == known.end())
+            throw PlanError(entry.where,
+                            "unknown key '" + entry.key + "' in " + owner + suggestion(entry.key, known));
+}
+
+const std::string &textOf(const Config::Entry &entry)
+{
+    if (!entry.value.isScalar() || entry.value.text().empty())
+        throw PlanError(entry.value.isScalar() || entry.value.kind() == Config::Kind::empty
+                            ? entry.where
+                            : entry.value.where(),
+                        "'" + entry.key + "' takes one value");
+    return entry.value.text();
+}
+
+std::int64_t integerOf(const Config::Entry &entry, std::int64_t low, std::int64_t high)
+{
+    (void)textOf(entry);
+    const auto value = parseInteger(entry.value.text());
+    if (!value || *value < low || *value > high)
+        throw PlanError(entry.value.where(), "'" + entry.key + "' takes a whole number from " +
+                                                 std::to_string(low) + " to " + std::to_string(high) +
+                                                 ", but is '" + entry.value.text() + "'");
+    return *value;
+}
+
+bool boolOf(const Config::Entry &entry)
+{
+    const std::string &text = textOf(entry);
+    if (text == "true" || text == "yes")
+        return true;
+    if (text == "false" || text == "no")
+        return false;
+    throw PlanError(entry.value.where(), "'" + entry.key + "' takes true or false, but is '" + text + "'");
+}
+
+/// The items of a list that must not be empty.
+const std::vector<Config> &itemsOf(const Config::Entry &entry, const std::string &what)
+{
+    if (!entry.value.isList())
+        throw PlanError(entry.value.kind() == Config::Kind::empty ? entry.where : entry.value.where(),
+                        "'" + entry.key + "' takes a list: " + what);
+    if (entry.value.items().empty())
+        throw PlanError(entry.value.where(), "'" + entry.key + "' is an empty list; give " + what);
+    return entry.value.items();
+}
+
+using Unit = std::pair<std::string_view, double>;
+constexpr std::array<Unit, 4> kTimeUnits = {{{"ms", 1e-3}, {"s", 1}, {"min", 60}, {"h", 3600}}};
+constexpr std::array<Unit, 7> kMemoryUnits = {{{"kB", 1e-3},
+                                               {"MB", 1},
+                                               {"GB", 1e3},
+                                               {"TB", 1e6},
+                                               {"KiB", 1024e-6},
+                                               {"MiB", 1.048576},
+                                               {"GiB", 1073.741824}}};
+
+/// "60 s", "1.5h", "4 GiB".
+double quantityOf(const Config::Entry &entry, std::span<const Unit> units, const std::string &examples)
+{
+    const std::string_view text = textOf(entry);
+    const std::size_t unitAt = std::min(text.find_last_of("0123456789.") + 1, text.size());
+    std::string_view unit = text.substr(unitAt);
+    unit.remove_prefix(std::min(unit.find_first_not_of(' '), unit.size()));
+    const auto number = parseNumber(text.substr(0, unitAt));
+    const auto known =
+        std::find_if(units.begin(), units.end(), [unit](const Unit &u) { return u.first == unit; });
+    if (!number || known == units.end())
+        throw PlanError(entry.value.where(), "'" + entry.key + "' takes a number and a unit, as in " +
+                                                 examples + ", but is '" + std::string(text) + "'");
+    constexpr double kMost = 1e9;
+    const double value = *number * known->second;
+    if (!(value > 0) || value > kMost)
+        throw PlanError(entry.value.where(), "'" + entry.key + "' is '" + std::string(text) +
+                                                 "', which is no sensible limit; take one as in " + examples);
+    return value;
+}
+
+Limits readLimits(const Config::Entry &entry)
+{
+    Limits limits;
+    requireMap(entry.value, entry.where, "'limits' takes a map: {time: 60 s, memory: 4 GiB}");
+    checkKeys(entry.value, "limits", {"time", "memory"});
+    for (const Config::Entry &limit : entry.value.entries())
+        if (limit.key == "time")
+            limits.time = quantityOf(limit, kTimeUnits, "500 ms, 60 s, 5 min, 1 h");
+        else
+            limits.memory = quantityOf(limit, kMemoryUnits, "500 MB, 4 GiB");
+    return limits;
+}
+
+Execution readExecution(const Config::Entry &entry)
+{
+    Execution execution;
+    requireMap(entry.value, entry.where, "'execution' takes a map: {jobs: 2, isolation: none}");
+    checkKeys(entry.value, "execution", {"jobs", "isolation"});
+    constexpr std::int64_t kMostJobs = 1024;
+    for (const Config::Entry &setting : entry.value.entries())
+    {
+        if (setting.key == "jobs")
+        {
+            execution.jobs = integerOf(setting, 1, kMostJobs);
+            continue;
+        }
+        execution.isolation = textOf(setting);
+        if (execution.isolation != "none" && execution.isolation != "process")
+            throw PlanError(setting.value.where(),
+                            "'isolation' takes none or process, but is '" + execution.isolation + "'");
+    }
+    return execution;
+}
+
+Keep readKeep(const Config::Entry &entry)
+{
+    Keep keep;
+    requireMap(entry.value, entry.where, "'keep' takes a map: {instances: true, solutions: true}");
+    checkKeys(entry.value, "keep", {"instances", "solutions"});
+    for (const Config::Entry &setting : entry.value.entries())
+        (setting.key == "instances" ? keep.instances : keep.solutions) = boolOf(setting);
+    return keep;
+}
+
+/// Sets each parameter of a fresh object, so that nothing is wrong with them later.
+void readSettings(const Config::Entry &entry, ParameterSet &parameters, Configured &configured)
+{
+    requireMap(entry.value, entry.where, "'set' takes a map of parameters and values");
+    for (const Config::Entry &setting : entry.value.entries())
+    {
+        const bool known = parameters.find(setting.key) != nullptr;
+        if (known && !setting.value.isScalar())
+            throw PlanError(setting.value.isList() || setting.value.isMap() ? setting.value.where()
+                                                                            : setting.where,
+                            "parameter '" + setting.key + "' takes one value");
+        try
+        {
+            parameters.set(setting.key, known ? setting.value.text() : "");
+        }
+        catch (const ParamError &error)
+        {
+            throw PlanError(known ? setting.value.where() : setting.where, error.complaint());
+        }
+        configured.settings.emplace_back(setting.key, setting.value.text());
+    }
+}
+
+/// A planner or optimizer of the plan: a name, or {planner: name, name: …, set: {…}}.
+template <class T>
+Configured readConfigured(const Config &node, const std::string &role, const Registry<T> &registry)
+{
+    Configured configured;
+    SourceLocation where = node.where();
+    const Config::Entry *settings = nullptr;
+    if (node.isMap())
+    {
+        checkKeys(node, "a " + role + " of the plan", {role, "name", "set"});
+        for (const Config::Entry &entry : node.entries())
+            if (entry.key == role)
+            {
+                configured.kind = textOf(entry);
+                where = entry.value.where();
+            }
+            else if (entry.key == "name")
+                configured.name = textOf(entry);
+            else
+                settings = &entry;
+        if (configured.kind.empty())
+            throw PlanError(node.where(),
+                            "this entry does not say which " + role + " it is; give '" + role + ": NAME'");
+    }
+    else if (node.isScalar())
+        configured.kind = node.text();
+    else
+        throw PlanError(node.where(),
+                        "a " + role + " is a name or {" + role + ": NAME, name: TITLE, set: {…}}");
+
+    if (registry.find(configured.kind) == nullptr)
+        throw PlanError(where, "there is no " + role + " '" + configured.kind + "'" +
+                                   suggestion(configured.kind, registry.names()));
+    if (configured.name.empty())
+        configured.name = configured.kind;
+    if (settings != nullptr)
+        readSettings(*settings, registry.create(configured.kind)->parameters(), configured);
+    return configured;
+}
+
+std::vector<Configured> readPlanners(const Config::Entry &entry, const Catalog &catalog)
+{
+    std::vector<Configured> planners;
+    for (const Config &node : itemsOf(entry, "planners' names"))
+    {
+        if (node.isMap() && node.find("command") != nullptr)
+            throw PlanError(node.where(), "'command' planners (outside programs) are not supported by this "
+                                          "version; name a planner of `mrppsim list planners`");
+        Configured planner = readConfigured(node, "planner", catalog.planners);
+        for (const Configured &other : planners)
+            if (other.name == planner.name)
+                throw PlanError(node.where(), "two planners are named '" + planner.name +
+                                                  "'; give one of them another name: {planner: " +
+                                                  planner.kind + ", name: TITLE}");
+        planners.push_back(std::move(planner));
+    }
+    return planners;
+}
+
+std::vector<Configured> readOptimizers(const Config::Entry &entry, const Catalog &catalog)
+{
+    std::vector<Configured> optimizers;
+    for (const Config &node : itemsOf(entry, "optimizers' names, or leave the key out"))
+        optimizers.push_back(readConfigured(node, "optimizer", catalog.optimizers));
+    return optimizers;
+}
+
+std::vector<std::string> readReports(const Config::Entry &entry, const Catalog &catalog)
+{
+    std::vector<std::string> reports;
+    for (const Config &node : itemsOf(entry, "reports' names, or leave the key out for all of them"))
+    {
+        if (!node.isScalar())
+            throw PlanError(node.where(), "a report is a name");
+        if (catalog.reports.find(node.text()) == nullptr)
+            throw PlanError(node.where(), "there is no report '" + node.text() + "'" +
+                                              suggestion(node.text(), catalog.reports.names()));
+        if (std::find(reports.begin(), reports.end(), node.text()) != reports.end())
+            throw PlanError(node.where(), "the report '" + node.text() + "' stands twice");
+        reports.push_back(node.text());
+    }
+    return reports;
+}
+
+bool isFileNameSafe(const std::string &name)
+{
+    constexpr std::size_t kLongest = 100;
+    const auto isSafe = [](char c)
+    {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
+               c == '-' || c == '.';
+    };
+    return !name.empty() && name.size() <= kLongest && name.front() != '.' && name.front() != '-' &&
+           std::all_of(name.begin(), name.end(), isSafe);
+}
+
+std::string readCampaign(const Config &root, const std::filesystem::path &file)
+{
+    constexpr const char *kWanted =
+        "a folder is named after it: letters, digits, '_', '-' and '.', at most 100, "
+        "not beginning with '.' or '-'";
+    for (const Config::Entry &entry : root.entries())
+    {
+        if (entry.key != "campaign")
+            continue;
+        if (!isFileNameSafe(textOf(entry)))
+            throw PlanError(entry.value.where(),
+                            "'" + entry.value.text() + "' cannot name a campaign; " + kWanted);
+        return entry.value.text();
+    }
+    const std::string stem = file.stem().string();
+    if (!isFileNameSafe(stem))
+        throw PlanError({file.string(), 1, 1},
+                        "the plan has no 'campaign', and its file's name cannot stand in; " +
+                            std::string(kWanted));
+    return stem;
+}
+
+} // namespace
+
+BenchmarkPlan parsePlan(const std::string &text, const std::filesystem::path &file, const Catalog &catalog,
+                        const std::vector<std::filesystem::path> &searchPaths)
+{
+    const Config root = parseYaml(text, file.string());
+    const SourceLocation top{file.string(), 1, 1};
+    requireMap(root, top, "a plan is a map of keys: campaign, problems, planners, …");
+    checkKeys(root, "a plan",
+              {"campaign", "seed", "repetitions", "limits", "problems", "planners", "optimizers", "reports",
+               "motion", "execution", "keep"});
+
+    ProblemContext context{&catalog, {file.parent_path()}};
+    context.searchPaths.insert(context.searchPaths.end(), searchPaths.begin(), searchPaths.end());
+
+    BenchmarkPlan plan;
+    plan.text = text;
+    plan.file = file;
+    plan.campaign = readCampaign(root, file);
+    plan.reports = catalog.reports.names();
+    for (const Config::Entry &entry : root.entries())
+    {
+        constexpr std::int64_t kMostRepetitions = 1'000'000;
+        if (entry.key == "seed")
+            plan.seed = static_cast<Seed>(integerOf(entry, 0, std::numeric_limits<std::int64_t>::max()));
+        else if (entry.key == "repetitions")
+            plan.repetitions = integerOf(entry, 1, kMostRepetitions);
+        else if (entry.key == "limits")
+            plan.limits = readLimits(entry);
+        else if (entry.key == "problems")
+            plan.points = readProblems(itemsOf(entry, "problems, as in 'small_benchmark: tree'"), context);
+        else if (entry.key == "planners")
+            plan.planners = readPlanners(entry, catalog);
+        else if (entry.key == "optimizers")
+            plan.optimizers = readOptimizers(entry, catalog);
+        else if (entry.key == "reports")
+            plan.reports = readReports(entry, catalog);
+        else if (entry.key == "execution")
+            plan.execution = readExecution(entry);
+        else if (entry.key == "keep")
+            plan.keep = readKeep(entry);
+        else if (entry.key == "motion")
+        {
+            const auto rule = motionRule(textOf(entry));
+            if (!rule)
+                throw PlanError(entry.value.where(), "there is no motion rule '" + entry.value.text() +
+                                                         "'; known: pebble, parallel, following, rotation");
+            plan.motion = *rule;
+        }
+    }
+    for (const char *required : {"problems", "planners"})
+        if (root.find(required) == nullptr)
+            throw PlanError(root.where(), std::string("the plan has no '") + required + "'");
+    return plan;
+}
+
+BenchmarkPlan readPlan(const std::filesystem::path &file, const Catalog &catalog,
+                       const std::vector<std::filesystem::path> &searchPaths)
+{
+    return parsePlan(readFile(file), file, catalog, searchPaths);
+}
+
 } // namespace mrpp
