@@ -145,10 +145,9 @@ std::vector<RunSpec> expand(const BenchmarkPlan &plan, MissingInput missing)
     return specs;
 }
 
-RunRecord blankRecord(const BenchmarkPlan &plan, const RunSpec &spec)
+void fillIdentity(RunRecord &record, const BenchmarkPlan &plan, const RunSpec &spec)
 {
     const ProblemPoint &point = plan.points[spec.point];
-    RunRecord record;
     record.runKey = spec.runKey;
     record.caseId = spec.caseId;
     record.model = point.model;
@@ -161,7 +160,15 @@ RunRecord blankRecord(const BenchmarkPlan &plan, const RunSpec &spec)
     record.plannerSeed = spec.plannerSeed;
     record.planner = plan.planners[spec.planner].name;
     record.motion = toString(plan.motion);
-    return record;
+}
+
+Instance makeInstance(const Problem &problem, std::shared_ptr<const Graph> graph, Seed seed)
+{
+    const std::size_t robots = problem.robotCount(*graph);
+    Instance instance = problem.makeInstance(std::move(graph), robots, seed);
+    if (const auto defect = instance.defect())
+        throw InputError("problem '" + problem.name() + "' made a malformed instance: " + *defect);
+    return instance;
 }
 
 } // namespace mrpp

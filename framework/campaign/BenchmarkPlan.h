@@ -108,7 +108,11 @@ enum class MissingInput
 [[nodiscard]] std::vector<RunSpec> expand(const BenchmarkPlan &plan,
                                           MissingInput missing = MissingInput::refuse);
 
-/// The record of a run before it happens: which run it is, and the motion rule.
-[[nodiscard]] RunRecord blankRecord(const BenchmarkPlan &plan, const RunSpec &spec);
+/// Writes into a record which run of the plan it is; what the run gave stays.
+void fillIdentity(RunRecord &record, const BenchmarkPlan &plan, const RunSpec &spec);
+
+/// The problem's instance on that graph, with the number of robots that it says. Throws InputError where the
+/// graph cannot hold them or what comes out is malformed.
+[[nodiscard]] Instance makeInstance(const Problem &problem, std::shared_ptr<const Graph> graph, Seed seed);
 
 } // namespace mrpp

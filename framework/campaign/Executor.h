@@ -3,8 +3,10 @@
 /// Who carries a run out: here in this process; worker processes stand behind the same interface.
 
 #include "framework/campaign/RunRecord.h"
+#include "framework/model/Instance.h"
 #include "framework/model/Solution.h"
 
+#include <memory>
 #include <stop_token>
 
 namespace mrpp
@@ -12,11 +14,13 @@ namespace mrpp
 
 struct RunSpec;
 
-/// A finished run: its record, and the planner's solution where there is one.
+/// A finished run.
 struct RunResult
 {
     RunRecord record;
-    Solution solution;
+    Solution solution;                        ///< the planner's, checked; empty where there is none
+    Solution optimized;                       ///< after the optimizers, checked; empty without them
+    std::shared_ptr<const Instance> instance; ///< what the planner was asked
 };
 
 class Executor
@@ -28,7 +32,8 @@ public:
     Executor &operator=(const Executor &) = delete;
 
     /// Carries one run out. Whatever the planner does, a record comes back: a planner's exception is a
-    /// `crash`, a wrong solution `invalid`. May be called from several threads at once.
+    /// `crash`, a wrong solution `invalid`. May be called from several threads at once. Throws InputError
+    /// where the instance cannot be made.
     [[nodiscard]] virtual RunResult execute(const RunSpec &spec, std::stop_token stop) = 0;
 };
 

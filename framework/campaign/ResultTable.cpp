@@ -20,19 +20,6 @@ auto questionOf(const RunRecord &record)
                       record.plannerSeed);
 }
 
-/// The plan's names win over those under which the run was made: a run keeps its key when its problem or
-/// planner is renamed.
-void takeNames(RunRecord &record, const RunRecord &blank)
-{
-    record.caseId = blank.caseId;
-    record.model = blank.model;
-    record.problem = blank.problem;
-    record.sweepVariable = blank.sweepVariable;
-    record.sweepValue = blank.sweepValue;
-    record.repetition = blank.repetition;
-    record.planner = blank.planner;
-}
-
 } // namespace
 
 ResultTable::ResultTable(BenchmarkPlan plan, std::vector<RunRecord> records, SolutionLoader loadSolution)
@@ -53,13 +40,18 @@ ResultTable::ResultTable(BenchmarkPlan plan, std::vector<RunRecord> records, Sol
     };
     for (const RunSpec &spec : specs_)
     {
-        const RunRecord blank = blankRecord(plan_, spec);
+        RunRecord wanted;
+        fillIdentity(wanted, plan_, spec);
         const auto found =
-            spec.runKey.empty() ? find(byQuestion, questionOf(blank)) : find(byKey, spec.runKey);
+            spec.runKey.empty() ? find(byQuestion, questionOf(wanted)) : find(byKey, spec.runKey);
         if (!found)
             continue;
         records_.push_back(records[*found]);
-        takeNames(records_.back(), blank);
+        RunRecord &record = records_.back();
+        // A run keeps its key when its problem or planner is renamed: the plan's names win.
+        const std::string key = record.runKey;
+        fillIdentity(record, plan_, spec);
+        record.runKey = key; // the plan's is unknown where input files are gone
     }
 }
 
@@ -72,9 +64,7 @@ std::optional<Instance> ResultTable::instance(const RunRecord &record) const
         const Problem &problem = *plan_.points[spec.point].problem;
         try
         {
-            auto graph = problem.makeGraph(spec.graphSeed);
-            const std::size_t robots = problem.robotCount(*graph);
-            return problem.makeInstance(std::move(graph), robots, spec.instanceSeed);
+            return makeInstance(problem, problem.makeGraph(spec.graphSeed), spec.instanceSeed);
         }
         catch (const InputError &)
         {

@@ -1,0 +1,53 @@
+#pragma once
+/// \file
+/// Carries runs out in this process: fast and simple, but a planner that dies takes the campaign with it, and
+/// one that ignores its termination condition holds it up.
+
+#include "framework/Catalog.h"
+#include "framework/campaign/BenchmarkPlan.h"
+#include "framework/campaign/Executor.h"
+#include "framework/campaign/RecentCache.h"
+#include "framework/campaign/RunPlanner.h"
+
+#include <functional>
+#include <memory>
+
+namespace mrpp
+{
+
+class InProcessExecutor final : public Executor
+{
+public:
+    /// Called with the configured planner before it gets its instance.
+    using PreRunEvent = std::function<void(Planner &, const RunSpec &)>;
+
+    /// \param plan and \param catalog must outlive the executor
+    /// \param jobs how many threads will call execute() at once; memory is measured where it is one
+    InProcessExecutor(const BenchmarkPlan &plan, const Catalog &catalog, std::int64_t jobs,
+                      PreRunEvent preRun = {});
+
+    [[nodiscard]] RunResult execute(const RunSpec &spec, std::stop_token stop) override;
+
+private:
+    [[nodiscard]] std::shared_ptr<const Graph> graph(const RunSpec &spec);
+    [[nodiscard]] std::shared_ptr<const PreparedInstance> instance(const RunSpec &spec);
+
+    const BenchmarkPlan &plan_;
+    const Catalog &catalog_;
+    std::int64_t jobs_;
+    PreRunEvent preRun_;
+    RecentCache<std::shared_ptr<const Graph>> graphs_;
+    RecentCache<std::shared_ptr<const PreparedInstance>> instances_;
+};
+
+/// The registered kind with the plan's settings. Throws InputError where there is no such kind or setting.
+template <class T>
+[[nodiscard]] std::unique_ptr<T> create(const Registry<T> &registry, const Configured &configured)
+{
+    std::unique_ptr<T> object = registry.create(configured.kind);
+    for (const auto &[name, value] : configured.settings)
+        object->parameters().set(name, value);
+    return object;
+}
+
+} // namespace mrpp

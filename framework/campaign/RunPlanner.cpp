@@ -1,0 +1,261 @@
+#include "framework/campaign/RunPlanner.h"
+
+#include "framework/evaluation/Metrics.h"
+#include "framework/evaluation/Validator.h"
+#include "framework/support/Config.h"
+#include "framework/support/Memory.h"
+
+#include <cassert>
+#include <cmath>
+#include <new>
+
+namespace mrpp
+{
+
+namespace
+{
+
+constexpr MotionRule kCondenseUnder = MotionRule::following;
+
+class Stopwatch
+{
+public:
+    [[nodiscard]] double seconds() const
+    {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    }
+
+private:
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+/// How far the process grows above what it held at the beginning.
+class MemoryWatch
+{
+public:
+    explicit MemoryWatch(bool measure) : measure_(measure && resetPeakMemory()), atStart_(peakMemory()) {}
+
+    /// Notes the peak; the run is over its limit when the process grew by more.
+    void note(RunRecord &record, double limit) const
+    {
+        if (!measure_)
+            return;
+        const double peak = peakMemory();
+        record.memory = peak;
+        if (peak - atStart_ <= limit)
+            return;
+        record.status = PlannerStatus::memory_limit;
+        record.reason = "grew by " + formatNumber(std::round(peak - atStart_)) + " MB; the limit is " +
+                        formatNumber(limit) + " MB";
+    }
+
+private:
+    bool measure_;
+    double atStart_; // MB
+};
+
+void end(RunRecord &record, PlannerStatus status, std::string reason)
+{
+    record.status = status;
+    record.reason = std::move(reason);
+}
+
+/// Runs `work`; what it throws becomes the run's end. \param who begins the reason: "", "optimizer 'x': "
+template <class Work>
+void guarded(RunRecord &record, const std::string &who, Work &&work)
+{
+    try
+    {
+        work();
+    }
+    catch (const std::bad_alloc &)
+    {
+        end(record, PlannerStatus::memory_limit, who + "out of memory");
+    }
+    catch (const std::exception &error)
+    {
+        end(record, PlannerStatus::crash, who + "threw: " + error.what());
+    }
+    catch (...)
+    {
+        end(record, PlannerStatus::crash, who + "threw something that is no std::exception");
+    }
+}
+
+void describeInstance(RunRecord &record, const PreparedInstance &prepared)
+{
+    const Instance &instance = *prepared.instance;
+    record.vertices = static_cast<std::int64_t>(instance.graph->vertexCount());
+    record.edges = static_cast<std::int64_t>(instance.graph->edgeCount());
+    record.robots = static_cast<std::int64_t>(instance.robotCount());
+    record.free = static_cast<std::int64_t>(instance.freeCount());
+    record.occupancy = instance.occupancy();
+    record.instanceFingerprint = prepared.fingerprint;
+    if (prepared.bounds)
+    {
+        record.pathLengthLowerBound = static_cast<std::int64_t>(prepared.bounds->pathLength);
+        record.makespanLowerBound = static_cast<std::int64_t>(prepared.bounds->makespan);
+    }
+    record.completed = measure(instance, Solution(), kCondenseUnder).completed;
+}
+
+bool hasSolution(const RunRecord &record)
+{
+    return record.status == PlannerStatus::solved || record.status == PlannerStatus::partial;
+}
+
+/// setup() and solve(), timed; the status is the planner's word, which nobody has checked yet.
+void plan(Planner &planner, const RunSettings &settings, const std::stop_token &stop, RunRecord &record)
+{
+    const Stopwatch setup;
+    guarded(record, "", [&] { planner.setup(); });
+    record.setupTime = setup.seconds();
+    if (record.status != PlannerStatus::unknown)
+        return;
+
+    const auto ptc = TerminationCondition::after(settings.limits.time) || TerminationCondition::when(stop);
+    const Stopwatch solve;
+    guarded(record, "",
+            [&]
+            {
+                record.status = planner.solve(ptc);
+                record.reason = planner.reason();
+            });
+    record.time = solve.seconds();
+    if (stop.stop_requested() && record.status != PlannerStatus::solved)
+        end(record, PlannerStatus::aborted, "stopped by the user");
+    else if (hasSolution(record) && *record.time > settings.limits.time + settings.grace)
+        end(record, PlannerStatus::timeout,
+            "answered after " + formatNumber(*record.time) + " s; the limit is " +
+                formatNumber(settings.limits.time) + " s");
+    else if (record.status == PlannerStatus::unknown)
+        end(record, PlannerStatus::crash, "ended with the status 'unknown'");
+}
+
+/// Why that is no answer; empty where it is one.
+std::string complaint(const Instance &instance, const Solution &solution, MotionRule rule, bool mustComplete)
+{
+    const Verdict verdict = validate(instance, solution, rule);
+    return verdict.legal && (verdict.complete || !mustComplete) ? std::string() : verdict.violation;
+}
+
+/// The optimizers in their order, each one's answer checked; leaves the run as `invalid` or `crash` where one
+/// fails.
+void optimize(RunResult &result, MotionRule rule, std::span<const NamedOptimizer> optimizers,
+              const TerminationCondition &ptc)
+{
+    RunRecord &record = result.record;
+    const Instance &instance = *result.instance;
+    Solution current = result.solution;
+    record.optimizationTime = 0;
+    for (const auto &[name, optimizer] : optimizers)
+    {
+        const std::string who = "optimizer '" + name + "' ";
+        const std::size_t before = current.pathLength();
+        const Stopwatch watch;
+        guarded(record, who,
+                [&, &improver = *optimizer]
+                { current = improver.improve(instance, std::move(current), ptc); });
+        *record.optimizationTime += watch.seconds();
+        if (record.status != PlannerStatus::solved)
+            return;
+        if (const std::string wrong = complaint(instance, current, rule, true); !wrong.empty())
+            return end(record, PlannerStatus::invalid, who + "broke the solution: " + wrong);
+        if (current.pathLength() > before)
+            return end(record, PlannerStatus::invalid,
+                       who + "lengthened the solution from " + std::to_string(before) + " to " +
+                           std::to_string(current.pathLength()) + " moves");
+    }
+    result.optimized = std::move(current);
+}
+
+void measureSolution(RunResult &result)
+{
+    RunRecord &record = result.record;
+    const SolutionMetrics metrics = measure(*result.instance, result.solution, kCondenseUnder);
+    record.pathLength = static_cast<std::int64_t>(metrics.pathLength);
+    record.actions = static_cast<std::int64_t>(metrics.actions);
+    record.makespan = static_cast<std::int64_t>(metrics.makespan);
+    record.sumOfCosts = static_cast<std::int64_t>(metrics.sumOfCosts);
+    record.completed = metrics.completed;
+    record.solutionFingerprint = result.solution.fingerprint();
+}
+
+void measureOptimized(RunResult &result)
+{
+    RunRecord &record = result.record;
+    const SolutionMetrics metrics = measure(*result.instance, result.optimized, kCondenseUnder);
+    record.optimizedPathLength = static_cast<std::int64_t>(metrics.pathLength);
+    record.optimizedActions = static_cast<std::int64_t>(metrics.actions);
+    record.optimizedMakespan = static_cast<std::int64_t>(metrics.makespan);
+    record.optimizedSumOfCosts = static_cast<std::int64_t>(metrics.sumOfCosts);
+}
+
+/// Why the planner may not be asked; empty where it may.
+std::string reasonToReject(const Planner &planner, const Instance &instance, MotionRule allowed)
+{
+    const MotionRule needed = planner.specs().motion;
+    if (needed > allowed) // each rule allows what the one before it allows
+        return "its solutions need the motion rule '" + std::string(toString(needed)) +
+               "', which is wider than '" + std::string(toString(allowed)) + "'";
+    return planner.reasonToReject(instance).value_or("");
+}
+
+} // namespace
+
+PreparedInstance prepare(std::shared_ptr<const Instance> instance)
+{
+    assert(instance && !instance->defect());
+    PreparedInstance prepared;
+    prepared.bounds = lowerBounds(*instance);
+    prepared.fingerprint = instance->fingerprint();
+    prepared.instance = std::move(instance);
+    return prepared;
+}
+
+RunResult runPlanner(Planner &planner, const PreparedInstance &prepared,
+                     std::span<const NamedOptimizer> optimizers, const RunSettings &settings,
+                     std::stop_token stop)
+{
+    RunResult result;
+    result.instance = prepared.instance;
+    RunRecord &record = result.record;
+    record.motion = toString(settings.motion);
+    describeInstance(record, prepared);
+
+    const MemoryWatch memory(settings.measureMemory);
+    guarded(record, "",
+            [&]
+            {
+                planner.setInstance(prepared.instance);
+                const std::string reason = reasonToReject(planner, *prepared.instance, settings.motion);
+                if (!reason.empty())
+                    end(record, PlannerStatus::unsupported, reason);
+            });
+    if (record.status == PlannerStatus::unknown)
+        plan(planner, settings, stop, record);
+    memory.note(record, settings.limits.memory);
+    if (!hasSolution(record))
+        return result;
+
+    const MotionRule rule = planner.specs().motion;
+    result.solution = planner.takeSolution();
+    const bool mustComplete = record.solved();
+    const std::string wrong = complaint(*result.instance, result.solution, rule, mustComplete);
+    if (!wrong.empty())
+        end(record, PlannerStatus::invalid, wrong);
+    else if (record.solved() && !optimizers.empty())
+        optimize(result, rule, optimizers,
+                 TerminationCondition::after(settings.limits.time) || TerminationCondition::when(stop));
+    if (!hasSolution(record))
+    {
+        result.solution.clear();
+        return result;
+    }
+    measureSolution(result);
+    if (record.solved() && !optimizers.empty())
+        measureOptimized(result);
+    return result;
+}
+
+} // namespace mrpp

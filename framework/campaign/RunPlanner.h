@@ -1,0 +1,72 @@
+#pragma once
+/// \file
+/// One planner on one given instance: timed, checked, measured. What a campaign does for each of its runs and
+/// `mrppsim solve` does once.
+///
+/// \code
+/// planner.setSeed(7);
+/// const RunResult result = runPlanner(planner, prepare(instance), optimizers, {.limits = {.time = 10}},
+/// stop); \endcode
+
+#include "framework/Optimizer.h"
+#include "framework/Planner.h"
+#include "framework/analysis/LowerBounds.h"
+#include "framework/campaign/BenchmarkPlan.h"
+#include "framework/campaign/Executor.h"
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+namespace mrpp
+{
+
+/// An instance, and what is known of it before anyone plans.
+struct PreparedInstance
+{
+    std::shared_ptr<const Instance> instance;
+    std::optional<LowerBounds> bounds; ///< nothing where some goal cannot be reached
+    std::string fingerprint;
+};
+
+/// \pre instance->defect() is empty
+[[nodiscard]] PreparedInstance prepare(std::shared_ptr<const Instance> instance);
+
+struct NamedOptimizer
+{
+    std::string name; ///< for the reason of a run that it spoils
+    std::unique_ptr<const Optimizer> optimizer;
+};
+
+struct RunSettings
+{
+    Limits limits;
+    MotionRule motion = MotionRule::rotation; ///< a planner of a wider rule is `unsupported`
+
+    /// False where other runs share the process: its peak would be theirs too, and stays empty.
+    bool measureMemory = true;
+
+    /// An answer that comes later than this after the time limit is a `timeout`.
+    double grace = 1; ///< seconds
+};
+
+/// Runs the planner as its parameters and seed are, and reports whatever it does:
+///  * `unsupported` where it rejects the instance or needs a wider motion rule than the settings allow;
+///  * `crash` where it throws, `memory_limit` where that is std::bad_alloc, or where the process grew by more
+///    than the limit (if measured);
+///  * `invalid` where its solution breaks its own motion rule or misses a goal, or an optimizer's does so or
+///    is longer than before; the reason says which move, and which optimizer;
+///  * else what it says itself.
+///
+/// Time is that of solve() alone, memory the process's peak during setup() and solve(). Lengths are there for
+/// `solved` and `partial` only; the makespan is that of the solution condensed under `following`. Without a
+/// solution `completed` counts the robots that are at their goals from the start. The record does not say
+/// which run it is: the caller fills that in.
+[[nodiscard]] RunResult runPlanner(Planner &planner, const PreparedInstance &prepared,
+                                   std::span<const NamedOptimizer> optimizers, const RunSettings &settings,
+                                   std::stop_token stop);
+
+} // namespace mrpp
