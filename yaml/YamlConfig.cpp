@@ -260,7 +260,7 @@ void checkCharacters(std::string_view text, const std::string &file)
                 throw PlanError(*tab, "a tab in the indentation; indent with blanks");
             indenting = false;
         }
-        ++place.column;
+        place.column += length;
     }
 }
 

@@ -19,7 +19,7 @@ namespace mrpp
 inline constexpr std::size_t kMaximalYamlDepth = 32;
 inline constexpr std::size_t kMaximalYamlSize = 4 << 20; ///< bytes
 
-/// The document's tree; an empty node where the text holds none. Columns count characters from 1.
+/// The document's tree; an empty node where the text holds none. Columns count bytes from 1.
 /// \param file for messages
 /// Throws PlanError.
 [[nodiscard]] Config parseYaml(std::string_view text, const std::string &file);
