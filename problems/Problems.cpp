@@ -1,8 +1,21 @@
 #include "problems/Problems.h"
 
+#include "problems/FullyControlled.h"
+#include "problems/PublicBenchmark.h"
+#include "problems/SmallBenchmark.h"
+#include "problems/formats/Formats.h"
+
 namespace mrpp
 {
 
-void registerProblems(Catalog &) {}
+void registerProblems(Catalog &catalog)
+{
+    catalog.problems.add<FullyControlled>("fully_controlled", "a graph and an instance from files");
+    catalog.problems.add<SmallBenchmark>("small_benchmark", "a small critical problem, built in");
+    catalog.problems.add<PublicBenchmark>("public_benchmark",
+                                          "a MovingAI map with random robots or those of a scenario");
+    for (FileFormat &format : fileFormats())
+        catalog.formats.push_back(std::move(format));
+}
 
 } // namespace mrpp

@@ -1,0 +1,71 @@
+#include "problems/PublicBenchmark.h"
+
+#include "framework/support/Error.h"
+#include "problems/formats/MovingAiScenario.h"
+
+namespace mrpp
+{
+
+PublicBenchmark::PublicBenchmark()
+{
+    std::string rules;
+    for (const Passability &rule : passabilities())
+        rules += (rules.empty() ? "" : ",") + std::string(rule.name);
+    declareParam("map", map_, "", "a MovingAI map, from movingai.com/benchmarks");
+    declareParam("scenario", scenario_, "", "starts and goals on the map; without it, random ones");
+    declareParam("passability", passability_, rules, "which symbols of the map robots may stand on");
+}
+
+void PublicBenchmark::configure(const Config &settings, const ProblemContext &context)
+{
+    Problem::configure(settings, context);
+    if (map_.empty())
+        throw PlanError(settings.where(), "public_benchmark needs a 'map', the file of a MovingAI map");
+    map_ = context.resolve(map_);
+    if (!scenario_.empty())
+        scenario_ = context.resolve(scenario_);
+}
+
+GridMap PublicBenchmark::load() const
+{
+    std::error_code error;
+    if (!std::filesystem::exists(map_, error))
+        throw FileError({map_.string()}, "there is no such map; its owner publishes the maps at "
+                                         "https://movingai.com/benchmarks (mrppsim downloads nothing)");
+    return readMovingAiMap(map_, passability(passability_));
+}
+
+void PublicBenchmark::check() const
+{
+    const auto graph = load().graph;
+    static_cast<void>(makeInstance(graph, robotCount(*graph), 0));
+}
+
+std::vector<std::filesystem::path> PublicBenchmark::inputFiles() const
+{
+    return scenario_.empty() ? std::vector{map_} : std::vector{map_, scenario_};
+}
+
+std::shared_ptr<const Graph> PublicBenchmark::makeGraph(Seed) const
+{
+    return load().graph;
+}
+
+std::size_t PublicBenchmark::robotCount(const Graph &graph) const
+{
+    if (!robots() && !scenario_.empty())
+        return readMovingAiScenario(scenario_).records.size();
+    return Problem::robotCount(graph);
+}
+
+Instance PublicBenchmark::makeInstance(std::shared_ptr<const Graph> graph, std::size_t robots,
+                                       Seed seed) const
+{
+    if (scenario_.empty())
+        return Problem::makeInstance(std::move(graph), robots, seed);
+    Instance instance = scenarioInstance(readMovingAiScenario(scenario_), load(), robots);
+    instance.graph = std::move(graph);
+    return instance;
+}
+
+} // namespace mrpp

@@ -1,0 +1,76 @@
+#pragma once
+/// \file
+/// One door to all formats: tells by a file's contents and extension what it is, reads it, or says which
+/// formats there are.
+///
+/// \code
+/// const LoadedInstance loaded = loadInstance({"room.scen", "room.map", 20});
+/// \endcode
+
+#include "framework/Catalog.h"
+#include "framework/model/Instance.h"
+#include "framework/model/Schedule.h"
+#include "framework/model/Solution.h"
+#include "problems/formats/MovingAiMap.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace mrpp
+{
+
+struct LoadedGraph
+{
+    std::shared_ptr<const Graph> graph;
+    std::optional<GridMap> map;        ///< where the file is a map of cells
+    std::vector<std::string> warnings; ///< see GraphMl
+};
+
+/// Reads a MovingAI map or a GraphML file. Throws InputError where it is neither, or malformed.
+[[nodiscard]] LoadedGraph loadGraph(const std::filesystem::path &file);
+
+struct InstanceSource
+{
+    std::filesystem::path instance;             ///< instance text or MovingAI scenario
+    std::optional<std::filesystem::path> graph; ///< overrides the graph that the instance names
+    std::optional<std::size_t> robots;          ///< how many of the file's robots; all where it is missing
+};
+
+struct LoadedInstance
+{
+    Instance instance;
+    std::vector<std::string> warnings;
+};
+
+/// Reads an instance and its graph. Without `graph`, instance text names it, and a scenario's map is looked
+/// for beside the scenario. Throws InputError where a file cannot be used, the instance does not fit its
+/// graph or holds fewer robots than asked for.
+[[nodiscard]] LoadedInstance loadInstance(const InstanceSource &source);
+
+/// The file in which the graph of an instance file lies, if the instance says so. Throws InputError where the
+/// instance cannot be read.
+[[nodiscard]] std::optional<std::filesystem::path> graphFileOf(const std::filesystem::path &instance);
+
+/// Writes `.map` as a MovingAI map, everything else as GraphML. Throws InputError where the graph is no grid
+/// map, FileError where the file cannot be written.
+void saveGraph(const std::filesystem::path &file, const Graph &graph);
+
+/// Writes `.scen` as a MovingAI scenario (the graph must then be a grid map), everything else as instance
+/// text.
+/// \param graphFile where the graph lies; the instance names it relative to its own folder
+void saveInstance(const std::filesystem::path &file, const Instance &instance,
+                  const std::filesystem::path &graphFile);
+
+/// Writes CSV rows, see SolutionCsv.h.
+void saveSolution(const std::filesystem::path &file, const Solution &solution);
+void saveSolution(const std::filesystem::path &file, const Schedule &schedule);
+
+/// Writes a GraphRec animation, see GraphRec.h.
+void saveAnimation(const std::filesystem::path &file, const Instance &instance, const Schedule &schedule);
+
+/// What the functions above know, for `mrppsim list formats`.
+[[nodiscard]] std::vector<FileFormat> fileFormats();
+
+} // namespace mrpp

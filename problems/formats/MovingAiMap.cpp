@@ -1,0 +1,215 @@
+#include "problems/formats/MovingAiMap.h"
+
+#include "framework/support/Config.h"
+#include "framework/support/File.h"
+#include "framework/support/Suggestion.h"
+#include "problems/formats/TextReader.h"
+
+#include <cmath>
+
+namespace mrpp
+{
+
+namespace
+{
+
+constexpr Passability kPassabilities[] = {
+    {"movingai", ".GS", "@OTW"},
+    {"lorr", ".GSE", "@OTW"},
+    {"strict_dot", ".", "GS@OTWE"},
+    {"all_but_at_t", ".GSOWE", "@T"},
+};
+
+struct Header
+{
+    std::size_t height = 0;
+    std::size_t width = 0;
+};
+
+/// Everything up to the line `map`: keywords in any order. Lines of unknown keywords are left to those who
+/// know them.
+Header readHeader(TextReader &reader)
+{
+    Header header;
+    bool hasType = false;
+    while (const auto line = reader.next())
+    {
+        LineCursor cursor(*line);
+        if (cursor.atEnd())
+            continue;
+        const std::size_t wordColumn = cursor.column();
+        const std::string_view word = cursor.word();
+        const std::size_t column = cursor.column();
+        const std::string_view value = cursor.until("");
+        if (word == "map" && value.empty())
+        {
+            const char *missing = !hasType             ? "type octile"
+                                  : header.height == 0 ? "height <rows>"
+                                  : header.width == 0  ? "width <columns>"
+                                                       : nullptr;
+            if (missing != nullptr)
+                reader.fail(wordColumn,
+                            std::string("the header lacks a line '") + missing + "' before 'map'");
+            return header;
+        }
+        if (value.empty())
+            reader.fail(wordColumn, inQuotes(word) + " is no line of a map's header; expected 'type octile', "
+                                                     "'height <rows>', 'width <columns>', then 'map'");
+        if (word == "type")
+            hasType = true;
+        if (word != "height" && word != "width")
+            continue;
+        std::size_t &slot = word == "height" ? header.height : header.width;
+        const auto number = parseInteger(value);
+        if (!number || *number < 1)
+            reader.fail(column, inQuotes(value) + " is no " + std::string(word) +
+                                    "; expected a whole number from 1 on");
+        if (slot != 0)
+            reader.fail(wordColumn, "the header gives the " + std::string(word) + " a second time");
+        slot = static_cast<std::size_t>(*number);
+    }
+    reader.fail(
+        reader.line() + 1, 1,
+        "the file ends within the header; expected 'type octile', 'height <rows>', 'width <columns>', "
+        "'map' and the rows");
+}
+
+void readRow(const TextReader &reader, std::string_view row, std::size_t width, const Passability &rule)
+{
+    for (std::size_t x = 0; x < std::min(row.size(), width); ++x)
+        if (rule.passable.find(row[x]) == std::string_view::npos &&
+            rule.blocked.find(row[x]) == std::string_view::npos)
+            reader.fail(x + 1, "unknown symbol " + inQuotes(row.substr(x, 1)) +
+                                   "; known: " + std::string(rule.passable) + " (passable) and " +
+                                   std::string(rule.blocked) + " (obstacle)");
+    if (row.size() != width)
+        reader.fail(std::min(row.size(), width) + 1, "the row has " + std::to_string(row.size()) +
+                                                         " cells, but the header says width " +
+                                                         std::to_string(width));
+}
+
+/// Numbers the passable cells and joins those that share a side.
+void buildGraph(GridMap &map, std::string_view passable)
+{
+    map.vertices.assign(map.cells.size(), kNoVertex);
+    std::vector<Point> coordinates;
+    std::vector<Graph::Edge> edges;
+    for (std::size_t y = 0; y < map.height; ++y)
+    {
+        for (std::size_t x = 0; x < map.width; ++x)
+        {
+            const std::size_t cell = y * map.width + x;
+            if (passable.find(map.cells[cell]) == std::string_view::npos)
+                continue;
+            const auto v = static_cast<Vertex>(coordinates.size());
+            map.vertices[cell] = v;
+            coordinates.push_back({static_cast<double>(x), static_cast<double>(y), 0});
+            if (x > 0 && map.vertices[cell - 1] != kNoVertex)
+                edges.push_back({map.vertices[cell - 1], v});
+            if (y > 0 && map.vertices[cell - map.width] != kNoVertex)
+                edges.push_back({map.vertices[cell - map.width], v});
+        }
+    }
+    const std::size_t count = coordinates.size();
+    map.graph = Graph::fromEdges(count, edges, std::move(coordinates), YAxis::down);
+}
+
+} // namespace
+
+std::span<const Passability> passabilities()
+{
+    return kPassabilities;
+}
+
+const Passability &passability(std::string_view name)
+{
+    std::vector<std::string> names;
+    for (const Passability &rule : passabilities())
+    {
+        if (rule.name == name)
+            return rule;
+        names.emplace_back(rule.name);
+    }
+    throw InputError("there is no passability '" + std::string(name) + "'" + suggestion(name, names));
+}
+
+GridMap readMovingAiMap(const std::filesystem::path &file, const Passability &rule)
+{
+    return parseMovingAiMap(readFile(file), file.string(), rule);
+}
+
+GridMap parseMovingAiMap(std::string_view text, const std::string &file, const Passability &rule)
+{
+    TextReader reader(text, file);
+    const Header header = readHeader(reader);
+    GridMap map;
+    map.width = header.width;
+    map.height = header.height;
+    for (std::size_t y = 0; y < map.height; ++y)
+    {
+        const auto row = reader.next();
+        if (!row)
+            reader.fail(reader.line() + 1, 1,
+                        "the file ends after " + std::to_string(y) + " rows, but the header says height " +
+                            std::to_string(map.height));
+        readRow(reader, *row, map.width, rule);
+        map.cells += *row;
+    }
+    while (const auto line = reader.next())
+        if (!trimmed(*line).empty())
+            reader.fail(1, "there is something behind the last row; the header says height " +
+                               std::to_string(map.height));
+    buildGraph(map, rule.passable);
+    return map;
+}
+
+GridMap gridMapOf(const Graph &graph)
+{
+    const auto refuse = [](const std::string &why) { throw InputError("this graph is no grid map: " + why); };
+    if (graph.vertexCount() == 0 || !graph.hasCoordinates())
+        refuse("its vertices have no coordinates");
+    GridMap map;
+    constexpr double largest = 1 << 16;
+    for (const Point &p : graph.coordinates())
+    {
+        if (p.x != std::floor(p.x) || p.y != std::floor(p.y) || p.x < 0 || p.y < 0 || p.x >= largest ||
+            p.y >= largest)
+            refuse("its coordinates must be columns and rows, whole numbers from 0 on");
+        map.width = std::max(map.width, static_cast<std::size_t>(p.x) + 1);
+        map.height = std::max(map.height, static_cast<std::size_t>(p.y) + 1);
+    }
+    constexpr std::size_t mostCells = std::size_t{1} << 28;
+    if (map.width * map.height > mostCells)
+        refuse("it would have " + std::to_string(map.width) + " x " + std::to_string(map.height) + " cells");
+    map.cells.assign(map.width * map.height, '@');
+    for (const Point &p : graph.coordinates())
+    {
+        char &cell = map.cells[static_cast<std::size_t>(p.y) * map.width + static_cast<std::size_t>(p.x)];
+        if (cell == '.')
+            refuse("two vertices share a cell");
+        cell = '.';
+    }
+    buildGraph(map, ".");
+    if (map.graph->edgeCount() != graph.edgeCount())
+        refuse("its edges must join exactly the cells that share a side");
+    for (const Graph::Edge &edge : graph.edges())
+    {
+        const Point &a = graph.coordinate(edge.a);
+        const Point &b = graph.coordinate(edge.b);
+        if (std::abs(a.x - b.x) + std::abs(a.y - b.y) != 1)
+            refuse("its edges must join exactly the cells that share a side");
+    }
+    return map;
+}
+
+std::string formatMovingAiMap(const GridMap &map)
+{
+    std::string text = "type octile\nheight " + std::to_string(map.height) + "\nwidth " +
+                       std::to_string(map.width) + "\nmap\n";
+    text.reserve(text.size() + (map.width + 1) * map.height);
+    for (std::size_t y = 0; y < map.height; ++y)
+        text.append(map.cells, y * map.width, map.width).push_back('\n');
+    return text;
+}
+
+} // namespace mrpp

@@ -1,0 +1,108 @@
+#include "problems/formats/XmlDocument.h"
+
+#include "problems/formats/TextReader.h"
+
+#include <algorithm>
+
+namespace mrpp
+{
+
+namespace
+{
+const char *explain(pugi::xml_parse_status status)
+{
+    switch (status)
+    {
+    case pugi::status_no_document_element:
+        return "there is no element";
+    case pugi::status_end_element_mismatch:
+        return "an end tag that does not fit the element that is open here (or one that is never closed)";
+    case pugi::status_bad_start_element:
+        return "a tag that is cut short or has a broken name";
+    case pugi::status_bad_end_element:
+        return "an end tag that is cut short or has a broken name";
+    case pugi::status_bad_attribute:
+        return "a broken attribute; expected name=\"value\" (is a quotation mark missing?)";
+    case pugi::status_bad_cdata:
+        return "a CDATA section that is not closed by ']]>'";
+    case pugi::status_bad_comment:
+        return "a comment that is not closed by '-->'";
+    case pugi::status_bad_pi:
+        return "a processing instruction that is not closed by '?>'";
+    case pugi::status_bad_doctype:
+        return "a broken document type declaration";
+    case pugi::status_out_of_memory:
+        return "the file is too large for the memory";
+    default:
+        return "something that is no XML";
+    }
+}
+} // namespace
+
+XmlDocument::XmlDocument(std::string_view text, std::string file)
+    : text_(withoutByteOrderMark(text)), file_(std::move(file))
+{
+    const std::size_t first = text_.find_first_not_of(" \t\r\n");
+    if (first == std::string_view::npos || text_[first] != '<')
+        throw ParseError(locate(std::min(first, text_.size())),
+                         std::string("not XML: ") + explain(pugi::status_no_document_element));
+    const pugi::xml_parse_result result =
+        document_.load_buffer(text_.data(), text_.size(), pugi::parse_default, pugi::encoding_utf8);
+    if (!result)
+        throw ParseError(locate(static_cast<std::size_t>(std::max<std::ptrdiff_t>(result.offset, 0))),
+                         std::string("not well-formed XML: ") + explain(result.status));
+    for (pugi::xml_node other = root().next_sibling(); other; other = other.next_sibling())
+        if (other.type() == pugi::node_element)
+            fail(other, "not well-formed XML: a second outermost element");
+}
+
+SourceLocation XmlDocument::locate(std::size_t offset) const
+{
+    const std::string_view before = text_.substr(0, offset);
+    const auto lines = static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n'));
+    const std::size_t lastEnd = before.rfind('\n');
+    const std::size_t lineStart = lastEnd == std::string_view::npos ? 0 : lastEnd + 1;
+    return {file_, lines + 1, before.size() - lineStart + 1};
+}
+
+SourceLocation XmlDocument::where(pugi::xml_node element) const
+{
+    const std::ptrdiff_t name = element.offset_debug();
+    return name < 1 ? SourceLocation{file_, 1, 1} : locate(static_cast<std::size_t>(name) - 1);
+}
+
+void XmlDocument::fail(pugi::xml_node element, const std::string &what) const
+{
+    throw ParseError(where(element), what);
+}
+
+std::string_view XmlDocument::required(pugi::xml_node element, const char *attribute) const
+{
+    const std::string_view value = element.attribute(attribute).value();
+    if (value.empty())
+        fail(element, "a <" + std::string(localName(element)) + "> needs an attribute '" + attribute + "'");
+    return value;
+}
+
+void XmlDocument::checkAttributes(pugi::xml_node element) const
+{
+    for (auto first = element.attributes_begin(); first != element.attributes_end(); ++first)
+        for (auto second = std::next(first); second != element.attributes_end(); ++second)
+            if (std::string_view(first->name()) == second->name())
+                fail(element, "the attribute '" + std::string(first->name()) + "' stands twice");
+}
+
+std::string_view localName(pugi::xml_node element)
+{
+    const std::string_view name = element.name();
+    return name.substr(name.find(':') + 1); // npos + 1 is 0
+}
+
+std::string_view namespacePrefix(pugi::xml_node element)
+{
+    const std::string_view name = element.name();
+    const std::size_t colon = name.find(':');
+    return colon == std::string_view::npos ? std::string_view() : name.substr(0, colon);
+}
+
+} // namespace mrpp

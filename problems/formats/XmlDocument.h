@@ -1,0 +1,48 @@
+#pragma once
+/// \file
+/// A parsed XML text that still knows where its elements stand. Internal to the GraphML reader.
+
+#include "framework/support/Error.h"
+
+#include <pugixml.hpp>
+#include <string>
+#include <string_view>
+
+namespace mrpp
+{
+
+class XmlDocument
+{
+public:
+    /// Throws ParseError at the place where the text stops being well-formed XML.
+    /// \param text must outlive the document
+    XmlDocument(std::string_view text, std::string file);
+
+    /// The outermost element; none in a text without elements.
+    [[nodiscard]] pugi::xml_node root() const { return document_.document_element(); }
+
+    /// The place of an element's `<`. O(file).
+    [[nodiscard]] SourceLocation where(pugi::xml_node element) const;
+
+    [[noreturn]] void fail(pugi::xml_node element, const std::string &what) const;
+
+    /// The value of an attribute that has to be there. Throws ParseError where it is missing.
+    [[nodiscard]] std::string_view required(pugi::xml_node element, const char *attribute) const;
+
+    /// Throws ParseError where an element has an attribute twice.
+    void checkAttributes(pugi::xml_node element) const;
+
+private:
+    [[nodiscard]] SourceLocation locate(std::size_t offset) const;
+
+    std::string_view text_;
+    std::string file_;
+    pugi::xml_document document_;
+};
+
+/// An element's name without its namespace prefix.
+[[nodiscard]] std::string_view localName(pugi::xml_node element);
+/// The namespace prefix of an element's name; empty where it has none.
+[[nodiscard]] std::string_view namespacePrefix(pugi::xml_node element);
+
+} // namespace mrpp
