@@ -4,12 +4,14 @@
 ///
 /// \code
 /// Benchmark benchmark(plan, catalog);
-/// benchmark.setPostRunEvent([](RunRecord &record, const Instance &, const Solution &) { record.extra["mine"]
-/// = 1.0; }); Benchmark::Summary summary = benchmark.benchmark({.folder = "results/mine"}, stopToken);
+/// benchmark.setPostRunEvent([](RunRecord &record, const Instance &, const Solution &solution)
+///                           { record.extra["turns"] = countTurns(solution); });
+/// const Benchmark::Summary summary = benchmark.benchmark({.folder = "results/mine"}, stopToken);
 /// \endcode
 
 #include "framework/Catalog.h"
 #include "framework/campaign/BenchmarkPlan.h"
+#include "framework/campaign/Executor.h"
 #include "framework/campaign/RunRecord.h"
 
 #include <filesystem>
@@ -34,6 +36,9 @@ public:
         /// Told after every finished run, one call at a time.
         std::function<void(const RunRecord &record, std::size_t done, std::size_t total, double secondsLeft)>
             progress;
+        /// Given every finished run before it is kept, one call at a time: whoever knows file formats writes
+        /// what the plan asks to keep beside the results (BenchmarkPlan::keep).
+        std::function<void(const RunSpec &spec, const RunResult &result)> onFinished;
     };
 
     struct Summary
@@ -45,7 +50,9 @@ public:
         std::map<PlannerStatus, std::size_t> statuses; ///< of all finished runs
     };
 
-    /// Called in the order: pre-run event, setup, solve, checks, metrics, post-run event, store.
+    /// Called in the order: pre-run event, setup, solve, checks, metrics, post-run event, store. One event at
+    /// a time, whatever the number of jobs. The pre-run event may change the planner's parameters; what it
+    /// does is not part of the run's key.
     using PreRunEvent = std::function<void(Planner &, const RunSpec &)>;
     using PostRunEvent = std::function<void(RunRecord &, const Instance &, const Solution &)>;
 
@@ -56,10 +63,14 @@ public:
 
     [[nodiscard]] const BenchmarkPlan &plan() const { return plan_; }
 
-    /// Checks every input file, then runs what the folder does not hold yet; each finished run is durable
-    /// before the next begins. A stop request ends the current runs without keeping them.
+    /// Checks every input file and makes the first instance of every point, then runs what the folder does
+    /// not hold yet, planners interleaved; each finished run is durable before its thread begins the next. A
+    /// stop request ends the current runs without keeping them. The results do not depend on the number of
+    /// jobs, on interruptions or on what the folder holds from an older version of the plan (times and memory
+    /// aside); runs that are no longer in the plan stay in the store.
     /// Throws InputError before anything is written, and FileError where the folder cannot be used (or
-    /// another process is running a campaign in it).
+    /// another process is running a campaign in it). What an event throws ends the campaign and is thrown
+    /// again here.
     Summary benchmark(const Request &request, std::stop_token stop);
 
 private:

@@ -1,9 +1,15 @@
 #pragma once
 /// \file
 /// Where finished runs are kept: one SQLite file, durable run by run, in a schema that OMPL's Planner Arena
-/// opens (tables experiments, plannerConfigs, enums, runs, progress).
+/// opens (tables experiments, plannerConfigs, enums, runs, progress; an experiment is one problem at one
+/// sweep point).
+///
+/// The file is in write-ahead mode: a report can read while a campaign writes. The helper files beside it
+/// (-wal, -shm) belong to it until the campaign has ended. One computer at a time: on a network file system
+/// give each shard a folder of its own.
 
 #include "framework/campaign/BenchmarkPlan.h"
+#include "framework/campaign/Provenance.h"
 #include "framework/campaign/RunRecord.h"
 #include "framework/model/Solution.h"
 
@@ -33,23 +39,29 @@ public:
     ResultStore(const ResultStore &) = delete;
     ResultStore &operator=(const ResultStore &) = delete;
 
+    /// What the runs to come belong to: limits and planners' settings, kept with them for other tools.
+    void describe(const BenchmarkPlan &plan, const Provenance &provenance);
+
     /// Keys of the finished runs.
     [[nodiscard]] std::set<std::string> finishedKeys() const;
 
-    /// Notes that a run begins; returns how often it began, this time included.
+    /// Notes that a run begins; returns how often it began, this time included. Survives the death of this
+    /// process, but is not forced to the disk.
     std::int64_t begin(const std::string &runKey);
 
-    /// Keeps a finished run (and its solution, packed, where that is small enough). On return it is on disk.
+    /// Keeps a finished run (and its solution, where that is no more than 4 MiB packed). On return it is on
+    /// disk. A run that is there already stays as it is. Throws InputError where an extra column has the name
+    /// of another, and FileError where the disk is full; then the store is as before.
     void add(const RunRecord &record, const Solution &solution);
 
     /// All finished runs, in the order in which they were kept.
     [[nodiscard]] std::vector<RunRecord> records() const;
 
-    /// A run's solution, where it was kept.
+    /// A run's solution, where it was kept. Throws FileError where it is damaged.
     [[nodiscard]] std::optional<Solution> solution(const std::string &runKey) const;
 
 private:
-    struct Database;
+    class Database;
     std::unique_ptr<Database> database_;
 };
 

@@ -1,0 +1,259 @@
+#include "framework/Benchmark.h"
+
+#include "framework/campaign/InProcessExecutor.h"
+#include "framework/campaign/Provenance.h"
+#include "framework/campaign/ResultStore.h"
+#include "framework/support/Error.h"
+#include "framework/support/File.h"
+#include "framework/support/Random.h"
+
+#include <algorithm>
+#include <chrono>
+#include <ctime>
+#include <exception>
+#include <map>
+#include <mutex>
+#include <set>
+#include <thread>
+
+namespace mrpp
+{
+
+namespace
+{
+
+std::string utcNow()
+{
+    const std::time_t now = std::time(nullptr);
+    std::tm parts{};
+    ::gmtime_r(&now, &parts);
+    char text[32];
+    std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &parts);
+    return text;
+}
+
+void checkRequest(const Benchmark::Request &request, std::int64_t jobs)
+{
+    constexpr std::int64_t kMostJobs = 1024;
+    if (jobs < 1 || jobs > kMostJobs)
+        throw InputError("jobs = " + std::to_string(jobs) + ", but must lie in 1 … " +
+                         std::to_string(kMostJobs));
+    if (request.shards < 1 || request.shard < 1 || request.shard > request.shards)
+        throw InputError("shard " + std::to_string(request.shard) + "/" + std::to_string(request.shards) +
+                         ": a shard i/n needs 1 ≤ i ≤ n");
+}
+
+/// Shards hold whole cases, and a case stays in its shard when the plan around it changes.
+bool isInShard(const BenchmarkPlan &plan, const RunSpec &spec, const Benchmark::Request &request)
+{
+    const ProblemPoint &point = plan.points[spec.point];
+    const Seed hash = deriveSeed(spec.instanceSeed, "shard", point.model, point.settings);
+    return hash % static_cast<Seed>(request.shards) == static_cast<Seed>(request.shard - 1);
+}
+
+/// Cases in random order, and the planners of each case, so that a slow spell of the machine does not hit one
+/// planner or one part of a sweep.
+void shuffle(std::vector<RunSpec> &runs, Seed seed)
+{
+    Random random(deriveSeed(seed, "order"));
+    random.shuffle(std::span(runs));
+    std::map<std::string, std::size_t> place; // of a case, where its first run stands
+    for (const RunSpec &run : runs)
+        place.emplace(run.caseId, place.size());
+    std::stable_sort(runs.begin(), runs.end(),
+                     [&place](const RunSpec &a, const RunSpec &b)
+                     { return place.at(a.caseId) < place.at(b.caseId); });
+}
+
+/// Everything that can be wrong with the plan's input, found before the first run.
+void checkInputs(const BenchmarkPlan &plan, const Catalog &catalog, const std::vector<RunSpec> &runs)
+{
+    for (const Configured &planner : plan.planners)
+        (void)create(catalog.planners, planner);
+    for (const Configured &optimizer : plan.optimizers)
+        (void)create(catalog.optimizers, optimizer);
+
+    std::set<std::size_t> checked;
+    std::string graphKey;
+    std::shared_ptr<const Graph> graph; // of the last point: points of a sweep over robots share it
+    for (const RunSpec &run : runs)
+    {
+        if (!checked.insert(run.point).second)
+            continue;
+        const Problem &problem = *plan.points[run.point].problem;
+        problem.check();
+        std::string key =
+            plan.points[run.point].model + '\n' + problem.identity() + '\n' + std::to_string(run.graphSeed);
+        if (key != graphKey)
+            graph = problem.makeGraph(run.graphSeed);
+        graphKey = std::move(key);
+        (void)makeInstance(problem, graph, run.instanceSeed);
+    }
+}
+
+/// The campaign's provenance; start and end are those of the file, if it has begun before.
+Provenance provenanceOf(const BenchmarkPlan &plan, const std::filesystem::path &file)
+{
+    Provenance provenance = Provenance::here();
+    provenance.campaign = plan.campaign;
+    provenance.planFile = plan.file.filename().string();
+    provenance.planFolder = std::filesystem::absolute(plan.file).parent_path().string();
+    provenance.planFingerprint = Fingerprint().add(plan.text).hex();
+    provenance.seed = static_cast<std::int64_t>(plan.seed);
+    provenance.started = utcNow();
+    if (std::filesystem::exists(file))
+    {
+        const Provenance before = Provenance::fromJson(readFile(file), file);
+        provenance.started = before.started;
+        provenance.finished = before.finished;
+    }
+    return provenance;
+}
+
+/// The threads of one campaign: they take runs off one list, and give their results to one store.
+class Crew
+{
+public:
+    using PostRunEvent = Benchmark::PostRunEvent;
+
+    Crew(const std::vector<RunSpec> &runs, ResultStore &store, const Benchmark::Request &request,
+         const PostRunEvent &postRun, std::mutex &events, Benchmark::Summary &summary)
+        : runs_(runs), store_(store), request_(request), postRun_(postRun), events_(events), summary_(summary)
+    {}
+
+    /// Works until nothing is left, `stop` is triggered, or something throws, which is thrown again here.
+    void work(Executor &executor, std::int64_t jobs, const std::stop_token &stop)
+    {
+        const std::stop_callback passOn(stop, [this] { stop_.request_stop(); });
+        {
+            std::vector<std::jthread> threads;
+            for (std::int64_t i = 0; i < jobs; ++i)
+                threads.emplace_back([this, &executor] { workAlone(executor); });
+        }
+        if (error_)
+            std::rethrow_exception(error_);
+    }
+
+private:
+    void workAlone(Executor &executor)
+    {
+        try
+        {
+            while (const RunSpec *run = take())
+            {
+                const std::int64_t attempt = begin(*run);
+                RunResult result = executor.execute(*run, stop_.get_token());
+                if (stop_.stop_requested())
+                    return; // perhaps cut short
+                result.record.attempt = attempt;
+                keep(*run, result);
+            }
+        }
+        catch (...)
+        {
+            const std::lock_guard lock(mutex_);
+            if (!error_)
+                error_ = std::current_exception();
+            stop_.request_stop();
+        }
+    }
+
+    const RunSpec *take()
+    {
+        const std::lock_guard lock(mutex_);
+        return next_ < runs_.size() && !stop_.stop_requested() ? &runs_[next_++] : nullptr;
+    }
+
+    std::int64_t begin(const RunSpec &run)
+    {
+        const std::lock_guard lock(mutex_);
+        return store_.begin(run.runKey);
+    }
+
+    void keep(const RunSpec &run, RunResult &result)
+    {
+        const std::scoped_lock lock(events_, mutex_);
+        if (postRun_)
+            postRun_(result.record, *result.instance, result.solution);
+        if (request_.onFinished)
+            request_.onFinished(run, result);
+        store_.add(result.record, result.solution);
+        ++summary_.finished;
+        ++summary_.statuses[result.record.status];
+        if (!request_.progress)
+            return;
+        const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start_;
+        const auto left = static_cast<double>(runs_.size() - summary_.finished);
+        request_.progress(result.record, summary_.kept + summary_.finished, summary_.planned,
+                          spent.count() / static_cast<double>(summary_.finished) * left);
+    }
+
+    const std::vector<RunSpec> &runs_;
+    ResultStore &store_;
+    const Benchmark::Request &request_;
+    const PostRunEvent &postRun_;
+    std::mutex &events_; // one event at a time
+    Benchmark::Summary &summary_;
+
+    std::mutex mutex_; // guards what follows, the store and the summary
+    std::size_t next_ = 0;
+    std::exception_ptr error_;
+    std::stop_source stop_;
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+} // namespace
+
+Benchmark::Benchmark(BenchmarkPlan plan, const Catalog &catalog) : plan_(std::move(plan)), catalog_(catalog)
+{}
+
+Benchmark::Summary Benchmark::benchmark(const Request &request, std::stop_token stop)
+{
+    const std::int64_t jobs = request.jobs.value_or(plan_.execution.jobs);
+    checkRequest(request, jobs);
+    std::vector<RunSpec> runs = expand(plan_);
+    std::erase_if(runs, [&](const RunSpec &run) { return !isInShard(plan_, run, request); });
+    checkInputs(plan_, catalog_, runs);
+
+    ResultStore store(request.folder, ResultStore::Access::write);
+    Summary summary;
+    summary.planned = runs.size();
+    std::set<std::string> missing;
+    for (const RunSpec &run : runs)
+        missing.insert(run.runKey);
+    for (const RunRecord &record : store.records())
+        if (missing.erase(record.runKey) > 0)
+            ++summary.statuses[record.status];
+    std::erase_if(runs, [&missing](const RunSpec &run) { return !missing.contains(run.runKey); });
+    summary.kept = summary.planned - runs.size();
+    shuffle(runs, plan_.seed);
+
+    const std::filesystem::path provenanceFile = request.folder / "provenance.json";
+    Provenance provenance = provenanceOf(plan_, provenanceFile);
+    if (!runs.empty())
+        provenance.finished.clear();
+    writeFile(request.folder / "plan.yaml", plan_.text);
+    writeFile(provenanceFile, provenance.toJson());
+    store.describe(plan_, provenance);
+
+    std::mutex events;
+    InProcessExecutor::PreRunEvent preRun;
+    if (preRun_)
+        preRun = [&](Planner &planner, const RunSpec &spec)
+        {
+            const std::lock_guard lock(events);
+            preRun_(planner, spec);
+        };
+    InProcessExecutor executor(plan_, catalog_, jobs, preRun);
+    Crew(runs, store, request, postRun_, events, summary).work(executor, jobs, stop);
+
+    summary.interrupted = summary.kept + summary.finished < summary.planned;
+    if (!summary.interrupted && !runs.empty())
+    {
+        provenance.finished = utcNow();
+        writeFile(provenanceFile, provenance.toJson());
+    }
+    return summary;
+}
+
+} // namespace mrpp

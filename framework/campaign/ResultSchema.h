@@ -1,0 +1,23 @@
+#pragma once
+/// \file
+/// The tables of a result store: those that OMPL's Planner Arena reads, and the store's own.
+
+#include "framework/campaign/Sqlite.h"
+
+#include <filesystem>
+#include <string>
+
+namespace mrpp
+{
+
+/// Makes the tables where the file is empty; else checks that it is a store of a version known here. Throws
+/// FileError.
+void openResultSchema(sqlite::Connection &database, const std::filesystem::path &file, bool mayCreate);
+
+/// Columns of `runs` that are not columns of RunRecord.
+[[nodiscard]] bool isKeyColumn(const std::string &name);
+
+/// `VARCHAR(…)`, `REAL`, ….
+[[nodiscard]] std::string sqlType(RunColumn::Type type);
+
+} // namespace mrpp
