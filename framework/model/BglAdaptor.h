@@ -22,6 +22,10 @@
 #include <boost/iterator/iterator_facade.hpp>
 #include <boost/property_map/property_map.hpp>
 
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
 namespace mrpp::bgl
 {
 
@@ -138,6 +142,11 @@ struct graph_traits<mrpp::Graph>
 
     static vertex_descriptor null_vertex() { return mrpp::kNoVertex; }
 };
+
+/// Some algorithms (biconnected_components) ask for the traits of `const Graph`.
+template <>
+struct graph_traits<const mrpp::Graph> : graph_traits<mrpp::Graph>
+{};
 
 template <>
 struct property_map<mrpp::Graph, vertex_index_t>

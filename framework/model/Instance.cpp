@@ -27,8 +27,9 @@ std::optional<std::string> Instance::defect() const
             const Vertex v = vertices[r];
             if (v >= graph->vertexCount())
                 return "robot " + std::to_string(r) + "'s " + role + " is vertex " + std::to_string(v) +
-                       ", but the graph has vertices 0 to " + std::to_string(graph->vertexCount()) +
-                       " exclusive";
+                       (graph->vertexCount() == 0 ? ", but the graph has no vertices"
+                                                  : ", but the graph's vertices are numbered from 0 to " +
+                                                        std::to_string(graph->vertexCount() - 1));
             if (owner[v] != kNoRobot)
                 return "robots " + std::to_string(owner[v]) + " and " + std::to_string(r) +
                        " have the same " + role + ", vertex " + std::to_string(v);
