@@ -1,4 +1,63 @@
-int main()
+#include "algorithms/Algorithms.h"
+#include "cli/Arguments.h"
+#include "cli/Commands.h"
+#include "cli/OneLine.h"
+#include "framework/Catalog.h"
+#include "framework/support/Error.h"
+#include "problems/Problems.h"
+#include "reports/Reports.h"
+
+#include <csignal>
+#include <iostream>
+#include <variant>
+
+namespace mrpp
 {
-    return 0;
+
+namespace
+{
+
+/// One command with everything that it can name.
+struct Dispatch
+{
+    const Catalog &catalog;
+
+    ExitCode operator()(const Answered &answered) const { return answered.code; }
+    ExitCode operator()(const RunArguments &arguments) const { return run(arguments, catalog); }
+    ExitCode operator()(const ReportArguments &arguments) const { return report(arguments, catalog); }
+    ExitCode operator()(const SolveArguments &arguments) const { return solve(arguments, catalog); }
+    ExitCode operator()(const ValidateArguments &arguments) const { return validate(arguments); }
+    ExitCode operator()(const ListArguments &arguments) const { return list(arguments, catalog); }
+};
+
+ExitCode dispatch(int count, const char *const *words)
+{
+    try
+    {
+        Catalog catalog;
+        registerAlgorithms(catalog);
+        registerProblems(catalog);
+        registerReports(catalog);
+        return std::visit(Dispatch{catalog}, parseArguments(count, words));
+    }
+    catch (const InputError &error)
+    {
+        std::cerr << (error.where().file.empty() ? "mrppsim: " : "") << oneLine(error.what()) << '\n';
+        return ExitCode::wrongUse;
+    }
+    catch (const std::exception &error)
+    {
+        std::cerr << "mrppsim: a defect of the program: " << oneLine(error.what()) << '\n';
+        return ExitCode::defect;
+    }
+}
+
+} // namespace
+
+} // namespace mrpp
+
+int main(int count, char **words)
+{
+    std::signal(SIGPIPE, SIG_IGN); // gnuplot and pagers may go away; writes then fail and say so
+    return static_cast<int>(mrpp::dispatch(count, words));
 }

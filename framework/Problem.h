@@ -75,6 +75,9 @@ public:
     /// Whether the plan says how many robots there are (and not the problem itself).
     [[nodiscard]] virtual bool takesRobotCount() const { return true; }
 
+    /// Whether the plan has to say it, so that one that does not is refused at once; asked after configure().
+    [[nodiscard]] virtual bool needsRobotCount() const { return takesRobotCount(); }
+
     /// Reads and checks every input file, so that nothing runs on malformed input. Throws InputError.
     virtual void check() const {}
 

@@ -25,6 +25,7 @@ public:
     void configure(const Config &settings, const ProblemContext &context) override;
     /// The map file's name without its extension.
     [[nodiscard]] std::string name() const override { return map_.stem().string(); }
+    [[nodiscard]] bool needsRobotCount() const override { return scenario_.empty(); }
     void check() const override;
     [[nodiscard]] std::vector<std::filesystem::path> inputFiles() const override;
     [[nodiscard]] std::shared_ptr<const Graph> makeGraph(Seed seed) const override;

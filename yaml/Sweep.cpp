@@ -293,7 +293,7 @@ ProblemPoint makePoint(const std::string &family, const Config &settings, const 
 {
     auto problem = context.catalog->problems.create(family);
     problem->configure(settings, context);
-    if (problem->takesRobotCount() && !problem->robots())
+    if (problem->needsRobotCount() && !problem->robots())
         throw PlanError(settings.where(),
                         "'" + family +
                             "' needs to know how many robots there are; give one of robots, "

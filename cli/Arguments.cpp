@@ -1,0 +1,333 @@
+#include "cli/Arguments.h"
+
+#include "cli/OneLine.h"
+#include "framework/support/Config.h"
+#include "framework/support/Suggestion.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <memory>
+
+namespace mrpp
+{
+
+namespace
+{
+
+const std::vector<std::string> kListable = {"planners", "optimizers", "problems",
+                                            "reports",  "metrics",    "formats"};
+const std::vector<std::string> kMotionRules = {"pebble", "parallel", "following", "rotation"};
+
+/// Refuses what is none of the words, with the nearest one.
+CLI::Validator oneOf(const std::vector<std::string> &words)
+{
+    std::string description;
+    for (const std::string &word : words)
+        description += (description.empty() ? "" : "|") + word;
+    return {[words](std::string &word) -> std::string
+            {
+                if (std::find(words.begin(), words.end(), word) != words.end())
+                    return {};
+                return "'" + word + "' is not known" + suggestion(word, words);
+            },
+            description};
+}
+
+CLI::Validator numberAbove0()
+{
+    return {[](std::string &text) -> std::string
+            {
+                const auto number = parseNumber(text);
+                return number && *number > 0 ? std::string() : "'" + text + "' is not a number above 0";
+            },
+            ""};
+}
+
+CLI::Validator wholeNumberFrom(std::int64_t low)
+{
+    return {[low](std::string &text) -> std::string
+            {
+                const auto number = parseInteger(text);
+                return number && *number >= low
+                           ? std::string()
+                           : "'" + text + "' is not a whole number from " + std::to_string(low) + " on";
+            },
+            ""};
+}
+
+template <class T>
+CLI::Option *optional(CLI::App &command, const std::string &flag, std::optional<T> &slot,
+                      const std::string &help)
+{
+    if constexpr (std::is_same_v<T, std::filesystem::path>)
+        return command
+            .add_option_function<std::string>(
+                flag, [&slot](const std::string &text) { slot = text; }, help)
+            ->type_name("FILE");
+    else
+        return command.add_option_function<T>(
+            flag, [&slot](const T &value) { slot = value; }, help);
+}
+
+void addRun(CLI::App &app, Arguments &result)
+{
+    CLI::App *command = app.add_subcommand("run", "Run a plan, or what is left of it, and write its reports");
+    command->footer(
+        R"(Every finished run is kept at once in DIR/results.sqlite. The same command again goes on
+where the last one stopped; runs that the plan does not change are kept.
+
+Examples:
+  mrppsim run yaml/plans/quickstart.yaml
+  mrppsim run plan.yaml -o results/monday --jobs 2
+  mrppsim run plan.yaml --dry-run
+  mrppsim run plan.yaml -o results/part3 --shard 3/10)");
+    const auto arguments = std::make_shared<RunArguments>();
+    const auto shard = std::make_shared<std::string>();
+    command->add_option("PLAN", arguments->plan, "The plan, a YAML file")->required();
+    optional(*command, "-o,--output", arguments->folder, "The campaign's folder [results/CAMPAIGN]")
+        ->type_name("DIR");
+    optional(*command, "--jobs", arguments->jobs, "Runs at once [the plan's]")
+        ->type_name("N")
+        ->check(wholeNumberFrom(1));
+    command->add_option("--shard", *shard, "Only the i-th of n parts")->type_name("i/n");
+    command->add_flag("--dry-run", arguments->dryRun, "Say what would be run, and run nothing");
+    command->add_flag("-q,--quiet", arguments->quiet, "No progress");
+    command->callback(
+        [arguments, shard, &result]
+        {
+            if (!shard->empty())
+            {
+                const std::size_t slash = shard->find('/');
+                const auto part = parseInteger(shard->substr(0, slash));
+                const auto parts =
+                    slash == std::string::npos ? std::nullopt : parseInteger(shard->substr(slash + 1));
+                if (!part || !parts || *part < 1 || *part > *parts)
+                    throw CLI::ValidationError("--shard", "'" + *shard + "' is no part i/n with 1 <= i <= n");
+                arguments->shard = *part;
+                arguments->shards = *parts;
+            }
+            result = *arguments;
+        });
+}
+
+void addReport(CLI::App &app, Arguments &result)
+{
+    CLI::App *command = app.add_subcommand("report", "Write a campaign's reports again");
+    command->footer(R"(Works while the campaign is running, and without the maps that it ran on.
+
+Examples:
+  mrppsim report results/quickstart
+  mrppsim report results/quickstart --only csv pdf)");
+    const auto arguments = std::make_shared<ReportArguments>();
+    command->add_option("DIR", arguments->folder, "The campaign's folder")->required();
+    command->add_option("--only", arguments->only, "These reports instead of the plan's")
+        ->type_name("KIND")
+        ->expected(1, 100);
+    command->callback([arguments, &result] { result = *arguments; });
+}
+
+void addSolve(CLI::App &app, Arguments &result)
+{
+    CLI::App *command = app.add_subcommand("solve", "Solve one instance with one planner");
+    command->footer(
+        R"(Ends with 0 where the instance was solved, 1 where it was not, 3 where the planner's answer is wrong.
+
+Examples:
+  mrppsim solve --instance theta.instance --planner push_and_swap
+  mrppsim solve --graph room.map --instance room.scen --robots 20 --planner push_and_swap --solution moves.csv
+  mrppsim solve --graph g.graphml --instance g.instance --planner push_and_swap --set order=given --json out.json)");
+    const auto arguments = std::make_shared<SolveArguments>();
+    const auto settings = std::make_shared<std::vector<std::string>>();
+    optional(*command, "--graph", arguments->graph,
+             "GraphML or MovingAI map [the one that the instance names]");
+    command->add_option("--instance", arguments->instance, "Instance text or MovingAI scenario")
+        ->required()
+        ->type_name("FILE");
+    optional(*command, "--robots", arguments->robots, "Only the first N robots of the instance")
+        ->type_name("N")
+        ->check(wholeNumberFrom(0));
+    command->add_option("--planner", arguments->planner, "See `mrppsim list planners`")
+        ->required()
+        ->type_name("NAME");
+    command->add_option("--set", *settings, "A parameter of the planner; may stand several times")
+        ->type_name("name=value")
+        ->allow_extra_args(false);
+    arguments->optimizers = {"redundancy_removal"};
+    command
+        ->add_option("--optimizer", arguments->optimizers,
+                     "An optimizer, or none; may stand several times [redundancy_removal]")
+        ->type_name("NAME")
+        ->allow_extra_args(false);
+    arguments->motion = "rotation";
+    command
+        ->add_option("--motion", arguments->motion, "The widest motion rule that planners may use [rotation]")
+        ->check(oneOf(kMotionRules));
+    command->add_option("--time-limit", arguments->timeLimit, "Seconds [60]")
+        ->type_name("S")
+        ->check(numberAbove0());
+    command->add_option("--memory-limit", arguments->memoryLimit, "MB [4096]")
+        ->type_name("MB")
+        ->check(numberAbove0());
+    command->add_option("--seed", arguments->seed, "Of the planner's random choices [1]")
+        ->type_name("N")
+        ->check(wholeNumberFrom(0));
+    optional(*command, "--solution", arguments->solution, "Write the solution, one action a step (CSV)");
+    optional(*command, "--optimized-solution", arguments->optimizedSolution,
+             "Write the optimized solution (CSV)");
+    optional(*command, "--schedule", arguments->schedule, "Write the condensed schedule (CSV)");
+    optional(*command, "--animation", arguments->animation, "Write the schedule for GraphRec (text)");
+    optional(*command, "--json", arguments->json, "Write status and measures (JSON)");
+    command->callback(
+        [arguments, settings, &result]
+        {
+            for (const std::string &setting : *settings)
+            {
+                const std::size_t sign = setting.find('=');
+                if (sign == std::string::npos || sign == 0)
+                    throw CLI::ValidationError("--set", "'" + setting + "' is not of the form name=value");
+                arguments->settings.emplace_back(setting.substr(0, sign), setting.substr(sign + 1));
+            }
+            result = *arguments;
+        });
+}
+
+void addValidate(CLI::App &app, Arguments &result)
+{
+    CLI::App *command = app.add_subcommand("validate", "Replay a solution or schedule from any source");
+    command->footer(
+        R"(Ends with 0 where the solution is valid, and with 1 where it is not, naming the first bad move.
+
+Examples:
+  mrppsim validate --instance theta.instance --solution moves.csv
+  mrppsim validate --graph room.map --instance room.scen --solution moves.csv --motion following)");
+    const auto arguments = std::make_shared<ValidateArguments>();
+    optional(*command, "--graph", arguments->graph,
+             "GraphML or MovingAI map [the one that the instance names]");
+    command->add_option("--instance", arguments->instance, "Instance text or MovingAI scenario")
+        ->required()
+        ->type_name("FILE");
+    optional(*command, "--robots", arguments->robots, "Only the first N robots of the instance")
+        ->type_name("N")
+        ->check(wholeNumberFrom(0));
+    command->add_option("--solution", arguments->solution, "CSV with the columns step,robot,from,to")
+        ->required()
+        ->type_name("FILE");
+    arguments->motion = "rotation";
+    command->add_option("--motion", arguments->motion, "The rule that the moves must obey [rotation]")
+        ->check(oneOf(kMotionRules));
+    command->callback([arguments, &result] { result = *arguments; });
+}
+
+void addList(CLI::App &app, Arguments &result)
+{
+    CLI::App *command = app.add_subcommand("list", "Say what there is: planners, problems, reports, …");
+    command->footer(R"(With parameters, their ranges and defaults, and citations.
+
+Examples:
+  mrppsim list planners
+  mrppsim list problems --json)");
+    const auto arguments = std::make_shared<ListArguments>();
+    command->add_option("WHAT", arguments->what)->required()->check(oneOf(kListable));
+    command->add_flag("--json", arguments->json, "As JSON");
+    command->callback([arguments, &result] { result = *arguments; });
+}
+
+std::vector<std::string> commandNames(const CLI::App &app)
+{
+    std::vector<std::string> names;
+    for (const CLI::App *command : app.get_subcommands({}))
+        names.push_back(command->get_name());
+    return names;
+}
+
+std::vector<std::string> optionNames(const CLI::App &command)
+{
+    std::vector<std::string> names;
+    for (const CLI::Option *option : command.get_options())
+        for (const std::string &name : option->get_lnames())
+            names.push_back("--" + name);
+    return names;
+}
+
+Answered refuse(const std::string &complaint, const std::string &command)
+{
+    std::cerr << "mrppsim: " << oneLine(complaint) << " (see mrppsim " << command
+              << (command.empty() ? "" : " ") << "--help)\n";
+    return {ExitCode::wrongUse};
+}
+
+/// The first word that nobody asked for, in words; empty where there is none.
+std::string unexpected(const CLI::App &command)
+{
+    const auto extras = command.remaining();
+    if (extras.empty())
+        return {};
+    const std::string &word = extras.front();
+    if (!word.starts_with('-'))
+        return "'" + word + "' is one argument too many";
+    return "there is no option '" + word + "'" +
+           suggestion(word.substr(0, word.find('=')), optionNames(command));
+}
+
+} // namespace
+
+Arguments parseArguments(int count, const char *const *words)
+{
+    Arguments result = Answered{};
+    CLI::App app("MRPPSim evaluates multi-robot path planners on graphs: a plan in; checked results, figures "
+                 "and reports out.",
+                 "mrppsim");
+    app.footer(R"(Examples:
+  mrppsim run yaml/plans/quickstart.yaml      runs a plan and writes its report
+  mrppsim solve --instance theta.instance --planner push_and_swap
+  mrppsim list planners
+
+Exit codes: 0 yes or done; 1 a truthful no; 2 wrong use or malformed input; 3 a defect of the program;
+130 interrupted.)");
+    app.set_version_flag("--version", std::string("mrppsim ") + MRPP_VERSION);
+    app.require_subcommand(1);
+    addRun(app, result);
+    addReport(app, result);
+    addSolve(app, result);
+    addValidate(app, result);
+    addList(app, result);
+    for (CLI::App *command : app.get_subcommands({}))
+        command->allow_extras();
+
+    const std::vector<std::string> commands = commandNames(app);
+    const std::string first = count > 1 ? words[1] : "";
+    if (first.empty())
+    {
+        std::cerr << app.help();
+        return Answered{ExitCode::wrongUse};
+    }
+    const bool isCommand = std::find(commands.begin(), commands.end(), first) != commands.end();
+    if (!isCommand && !first.starts_with('-'))
+        return refuse("there is no command '" + first + "'" + suggestion(first, commands), "");
+    if (!isCommand && first != "-h" && first != "--help" && first != "--version")
+        return refuse("there is no option '" + first + "'" + suggestion(first, optionNames(app)), "");
+
+    const std::string command = isCommand ? first : "";
+    try
+    {
+        app.parse(count, words);
+    }
+    catch (const CLI::Success &answer)
+    {
+        app.exit(answer, std::cout, std::cerr);
+        return Answered{ExitCode::done};
+    }
+    catch (const CLI::ParseError &error)
+    {
+        const std::string extra = isCommand ? unexpected(*app.get_subcommand(command)) : "";
+        return refuse(extra.empty() ? error.what() : extra, command);
+    }
+    if (const std::string extra = unexpected(*app.get_subcommand(command)); !extra.empty())
+        return refuse(extra, command);
+    return result;
+}
+
+} // namespace mrpp

@@ -1,0 +1,83 @@
+#pragma once
+/// \file
+/// The command line as plain structs, one a command. The only source that knows the parsing library is
+/// Arguments.cpp.
+
+#include "cli/ExitCode.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace mrpp
+{
+
+struct RunArguments
+{
+    std::filesystem::path plan;
+    std::optional<std::filesystem::path> folder; ///< results/CAMPAIGN where not given
+    std::optional<std::int64_t> jobs;            ///< the plan's where not given
+    std::int64_t shard = 1;
+    std::int64_t shards = 1;
+    bool dryRun = false;
+    bool quiet = false;
+};
+
+struct ReportArguments
+{
+    std::filesystem::path folder;
+    std::vector<std::string> only; ///< the plan's reports where empty
+};
+
+struct SolveArguments
+{
+    std::optional<std::filesystem::path> graph;
+    std::filesystem::path instance;
+    std::optional<std::int64_t> robots;
+    std::string planner;
+    std::vector<std::pair<std::string, std::string>> settings;
+    std::vector<std::string> optimizers;
+    std::string motion;
+    double timeLimit = 60;     ///< seconds
+    double memoryLimit = 4096; ///< MB
+    std::uint64_t seed = 1;
+    std::optional<std::filesystem::path> solution;
+    std::optional<std::filesystem::path> optimizedSolution;
+    std::optional<std::filesystem::path> schedule;
+    std::optional<std::filesystem::path> animation;
+    std::optional<std::filesystem::path> json;
+};
+
+struct ValidateArguments
+{
+    std::optional<std::filesystem::path> graph;
+    std::filesystem::path instance;
+    std::optional<std::int64_t> robots;
+    std::filesystem::path solution;
+    std::string motion;
+};
+
+struct ListArguments
+{
+    std::string what; ///< planners, optimizers, problems, reports, metrics, formats
+    bool json = false;
+};
+
+/// The command line was a question about the program (--help, --version), answered already, or wrong, said
+/// already.
+struct Answered
+{
+    ExitCode code = ExitCode::done;
+};
+
+using Arguments =
+    std::variant<Answered, RunArguments, ReportArguments, SolveArguments, ValidateArguments, ListArguments>;
+
+/// Prints help to the standard output, complaints to the standard error.
+[[nodiscard]] Arguments parseArguments(int count, const char *const *words);
+
+} // namespace mrpp

@@ -1,0 +1,19 @@
+#pragma once
+/// \file
+/// The commands, one source each. They throw InputError for what the user can mend (exit code 2), and any
+/// other exception for defects (3).
+
+#include "cli/Arguments.h"
+#include "cli/ExitCode.h"
+#include "framework/Catalog.h"
+
+namespace mrpp
+{
+
+[[nodiscard]] ExitCode run(const RunArguments &arguments, const Catalog &catalog);
+[[nodiscard]] ExitCode report(const ReportArguments &arguments, const Catalog &catalog);
+[[nodiscard]] ExitCode solve(const SolveArguments &arguments, const Catalog &catalog);
+[[nodiscard]] ExitCode validate(const ValidateArguments &arguments);
+[[nodiscard]] ExitCode list(const ListArguments &arguments, const Catalog &catalog);
+
+} // namespace mrpp

@@ -1,0 +1,29 @@
+#pragma once
+/// \file
+/// Ctrl-C and SIGTERM as a stop token: the first asks for a clean end, the second ends the process.
+
+#include <stop_token>
+#include <thread>
+
+namespace mrpp
+{
+
+/// While it lives, SIGINT and SIGTERM of this process go to a thread of its own. Make it before any other
+/// thread, so that all inherit its mask.
+class Interruption
+{
+public:
+    Interruption();
+    ~Interruption();
+    Interruption(const Interruption &) = delete;
+    Interruption &operator=(const Interruption &) = delete;
+
+    [[nodiscard]] std::stop_token token() const { return stop_.get_token(); }
+    [[nodiscard]] bool happened() const { return stop_.stop_requested(); }
+
+private:
+    std::stop_source stop_;
+    std::jthread listener_;
+};
+
+} // namespace mrpp

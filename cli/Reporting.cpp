@@ -1,0 +1,51 @@
+#include "cli/Reporting.h"
+
+#include "framework/campaign/Provenance.h"
+#include "framework/campaign/ResultStore.h"
+#include "framework/campaign/ResultTable.h"
+#include "framework/support/File.h"
+
+#include <algorithm>
+#include <iostream>
+
+namespace mrpp
+{
+
+std::vector<std::filesystem::path> writeReports(const BenchmarkPlan &plan,
+                                                const std::vector<std::string> &kinds,
+                                                const std::filesystem::path &folder, const Catalog &catalog)
+{
+    std::vector<std::unique_ptr<Report>> reports;
+    for (const std::string &kind : kinds)
+        reports.push_back(catalog.reports.create(kind));
+
+    const std::filesystem::path provenanceFile = folder / "provenance.json";
+    const Provenance provenance = Provenance::fromJson(readFile(provenanceFile), provenanceFile);
+    const ResultStore store(folder, ResultStore::Access::read);
+    const ResultTable table(plan, store.records(),
+                            [&store](const std::string &runKey) { return store.solution(runKey); });
+    std::vector<std::filesystem::path> files;
+    for (const auto &report : reports)
+    {
+        auto written = report->write(table, provenance, folder);
+        files.insert(files.end(), written.begin(), written.end());
+    }
+    return files;
+}
+
+void sayWhere(const std::vector<std::filesystem::path> &files, const std::filesystem::path &folder)
+{
+    for (const char *name : {"report.html", "report.pdf", "results.csv"})
+    {
+        const auto file = std::find_if(files.begin(), files.end(),
+                                       [name](const auto &path) { return path.filename() == name; });
+        if (file != files.end())
+        {
+            std::cout << "report: " << file->string() << '\n';
+            return;
+        }
+    }
+    std::cout << "results: " << folder.string() << '\n';
+}
+
+} // namespace mrpp

@@ -1,0 +1,24 @@
+#pragma once
+/// \file
+/// Writes a campaign's reports from what its folder holds.
+
+#include "framework/Catalog.h"
+#include "framework/campaign/BenchmarkPlan.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace mrpp
+{
+
+/// Writes the reports of these kinds in order; returns all files that they wrote. Throws InputError where the
+/// folder holds no campaign.
+std::vector<std::filesystem::path> writeReports(const BenchmarkPlan &plan,
+                                                const std::vector<std::string> &kinds,
+                                                const std::filesystem::path &folder, const Catalog &catalog);
+
+/// Says on the standard output where to look: at the report itself, else at the tables.
+void sayWhere(const std::vector<std::filesystem::path> &files, const std::filesystem::path &folder);
+
+} // namespace mrpp

@@ -1,0 +1,145 @@
+#include "cli/Commands.h"
+#include "cli/Interruption.h"
+#include "cli/KeptFiles.h"
+#include "cli/OneLine.h"
+#include "cli/ProgressLine.h"
+#include "cli/Reporting.h"
+#include "framework/Benchmark.h"
+#include "yaml/PlanReader.h"
+
+#include <cstdlib>
+#include <iostream>
+#include <set>
+#include <thread>
+
+namespace mrpp
+{
+
+namespace
+{
+
+/// `value word` or `value words`.
+std::string counted(std::size_t count, const std::string &word)
+{
+    return std::to_string(count) + " " + word + (count == 1 ? "" : "s");
+}
+
+ExitCode dryRun(const BenchmarkPlan &plan, const std::filesystem::path &folder)
+{
+    const std::vector<RunSpec> specs = expand(plan);
+    std::set<std::string> cases;
+    for (const RunSpec &spec : specs)
+        cases.insert(spec.caseId);
+    std::cout << "campaign " << plan.campaign << " would write to " << folder.string() << '\n'
+              << counted(specs.size(), "run") << ": " << counted(cases.size(), "case") << " ("
+              << counted(plan.points.size(), "problem point") << ", "
+              << counted(plan.repetitions, "repetition") << ") by "
+              << counted(plan.planners.size(), "planner") << '\n';
+    for (const Configured &planner : plan.planners)
+    {
+        std::string line = planner.name;
+        if (planner.name != planner.kind)
+            line += ", " + planner.kind;
+        for (const auto &[name, value] : planner.settings)
+            line += ", " + name + "=" + value;
+        std::cout << "planner " << oneLine(line) << '\n';
+    }
+    std::set<std::string> printed;
+    for (const RunSpec &spec : specs)
+        if (printed.insert(spec.caseId).second)
+            std::cout << "case " << spec.caseId << '\n';
+    return ExitCode::done;
+}
+
+/// Says what may make the campaign's times less than honest.
+void warn(const BenchmarkPlan &plan, std::int64_t jobs)
+{
+    if (plan.execution.isolation == "process")
+        std::cerr
+            << "note: this version runs every planner inside mrppsim itself; a planner that crashes hard "
+               "ends the campaign (finished runs are kept, the same command goes on)\n";
+    const auto cores = static_cast<std::int64_t>(std::thread::hardware_concurrency());
+    double load = 0;
+    if (cores > 0 && jobs > cores)
+        std::cerr << "warning: " << jobs << " jobs share " << cores << " cores; times will be too long\n";
+    else if (cores > 0 && ::getloadavg(&load, 1) == 1 &&
+             load + static_cast<double>(jobs) > static_cast<double>(cores) + 1)
+        std::cerr << "warning: other programs keep this machine busy (load " << load << " on " << cores
+                  << " cores); times may be too long\n";
+}
+
+void sayHowToGoOn(const RunArguments &arguments, const Benchmark::Summary &summary,
+                  const std::filesystem::path &folder)
+{
+    std::cerr << "interrupted: " << summary.kept + summary.finished << " of "
+              << counted(summary.planned, "run") << " are kept in " << folder.string()
+              << "; to go on: mrppsim run " << arguments.plan.string();
+    if (arguments.folder)
+        std::cerr << " -o " << arguments.folder->string();
+    if (arguments.jobs)
+        std::cerr << " --jobs " << *arguments.jobs;
+    if (arguments.shards > 1)
+        std::cerr << " --shard " << arguments.shard << "/" << arguments.shards;
+    std::cerr << '\n';
+}
+
+void sayResult(const Benchmark::Summary &summary)
+{
+    std::cout << counted(summary.planned, "run") << " (" << summary.finished << " now, " << summary.kept
+              << " before):";
+    const char *separator = " ";
+    for (const auto &[status, count] : summary.statuses)
+    {
+        std::cout << separator << toString(status) << " " << count;
+        separator = ", ";
+    }
+    std::cout << '\n';
+}
+
+/// Runs what is left, until it is done or the user interrupts.
+Benchmark::Summary runCampaign(Benchmark &benchmark, const RunArguments &arguments,
+                               const std::filesystem::path &folder)
+{
+    const Interruption interruption;
+    ProgressLine line(std::cerr, arguments.quiet ? ProgressLine::Mode::quiet : ProgressLine::detect());
+    KeptFiles kept(benchmark.plan(), folder);
+    Benchmark::Request request;
+    request.folder = folder;
+    request.jobs = arguments.jobs;
+    request.shard = arguments.shard;
+    request.shards = arguments.shards;
+    request.onFinished = [&kept](const RunSpec &spec, const RunResult &result) { kept.write(spec, result); };
+    request.progress = [&line](const RunRecord &record, std::size_t done, std::size_t total,
+                               double secondsLeft) { line.update(record.status, done, total, secondsLeft); };
+    return benchmark.benchmark(request, interruption.token());
+}
+
+} // namespace
+
+ExitCode run(const RunArguments &arguments, const Catalog &catalog)
+{
+    BenchmarkPlan plan = readPlan(arguments.plan, catalog);
+    const std::filesystem::path folder =
+        arguments.folder.value_or(std::filesystem::path("results") / plan.campaign);
+    if (arguments.dryRun)
+        return dryRun(plan, folder);
+
+    warn(plan, arguments.jobs.value_or(plan.execution.jobs));
+    Benchmark benchmark(std::move(plan), catalog);
+    const Benchmark::Summary summary = runCampaign(benchmark, arguments, folder);
+    if (summary.interrupted)
+    {
+        sayHowToGoOn(arguments, summary, folder);
+        return ExitCode::interrupted;
+    }
+    sayResult(summary);
+    sayWhere(writeReports(benchmark.plan(), benchmark.plan().reports, folder, catalog), folder);
+    if (summary.statuses.contains(PlannerStatus::invalid))
+    {
+        std::cerr << "a planner claimed solutions that are wrong: see the runs with status invalid\n";
+        return ExitCode::defect;
+    }
+    return ExitCode::done;
+}
+
+} // namespace mrpp
