@@ -29,16 +29,16 @@ class Benchmark
 public:
     struct Request
     {
-        std::filesystem::path folder;     ///< the campaign's folder; made where missing
-        std::optional<std::int64_t> jobs; ///< overrides the plan's
-        std::int64_t shard = 1;           ///< 1 … shards: run the shard-th part only
+        std::filesystem::path folder = {};     ///< the campaign's folder; made where missing
+        std::optional<std::int64_t> jobs = {}; ///< overrides the plan's
+        std::int64_t shard = 1;                ///< 1 … shards: run the shard-th part only
         std::int64_t shards = 1;
         /// Told after every finished run, one call at a time.
         std::function<void(const RunRecord &record, std::size_t done, std::size_t total, double secondsLeft)>
-            progress;
+            progress = {};
         /// Given every finished run before it is kept, one call at a time: whoever knows file formats writes
         /// what the plan asks to keep beside the results (BenchmarkPlan::keep).
-        std::function<void(const RunSpec &spec, const RunResult &result)> onFinished;
+        std::function<void(const RunSpec &spec, const RunResult &result)> onFinished = {};
     };
 
     struct Summary

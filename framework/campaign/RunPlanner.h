@@ -43,7 +43,7 @@ struct NamedOptimizer
 
 struct RunSettings
 {
-    Limits limits;
+    Limits limits = {};
     MotionRule motion = MotionRule::rotation; ///< a planner of a wider rule is `unsupported`
 
     /// False where other runs share the process: its peak would be theirs too, and stays empty.

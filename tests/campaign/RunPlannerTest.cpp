@@ -1,0 +1,257 @@
+#include "framework/campaign/RunPlanner.h"
+
+#include "framework/campaign/InProcessExecutor.h"
+#include "tests/campaign/Fixtures.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace mrpp
+{
+namespace
+{
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+/// Two robots on a 2 × 4 grid: 0 → 2 and 4 → 7, five moves.
+PreparedInstance question()
+{
+    fixtures::Lanes lanes;
+    lanes.parameters().set("rows", "2");
+    lanes.parameters().set("length", "4");
+    return prepare(std::make_shared<const Instance>(
+        Instance{lanes.makeGraph(0), std::vector<Vertex>{0, 4}, std::vector<Vertex>{2, 7}}));
+}
+
+RunResult run(const std::string &planner, const std::vector<std::string> &optimizers = {},
+              RunSettings settings = {}, std::stop_token stop = {})
+{
+    const Catalog catalog = fixtures::catalog();
+    const auto instance = catalog.planners.create(planner);
+    if (planner == "walker")
+        instance->parameters().set("detours", "3");
+    std::vector<NamedOptimizer> chain;
+    for (const std::string &name : optimizers)
+        chain.push_back({name, catalog.optimizers.create(name)});
+    return runPlanner(*instance, question(), chain, settings, std::move(stop));
+}
+
+void expectNoLengths(const RunRecord &record)
+{
+    EXPECT_EQ(record.pathLength, std::nullopt);
+    EXPECT_EQ(record.actions, std::nullopt);
+    EXPECT_EQ(record.makespan, std::nullopt);
+    EXPECT_EQ(record.sumOfCosts, std::nullopt);
+    EXPECT_EQ(record.optimizedPathLength, std::nullopt);
+    EXPECT_EQ(record.solutionFingerprint, "");
+    EXPECT_EQ(record.completed, 0);
+}
+
+TEST(RunPlanner, MeasuresASolution)
+{
+    const RunResult result = run("walker");
+    const RunRecord &record = result.record;
+    EXPECT_EQ(record.status, PlannerStatus::solved);
+    EXPECT_EQ(record.reason, "");
+    EXPECT_EQ(record.vertices, 8);
+    EXPECT_EQ(record.edges, 10);
+    EXPECT_EQ(record.robots, 2);
+    EXPECT_EQ(record.free, 6);
+    EXPECT_EQ(record.occupancy, 0.25);
+    EXPECT_EQ(record.pathLengthLowerBound, 5);
+    EXPECT_EQ(record.makespanLowerBound, 3);
+    EXPECT_EQ(record.pathLength, 11);
+    EXPECT_EQ(record.actions, 11);
+    EXPECT_EQ(record.makespan, 8); // robot 0 alone; robot 1 walks meanwhile
+    EXPECT_EQ(record.sumOfCosts, 11);
+    EXPECT_EQ(record.completed, 1);
+    EXPECT_EQ(record.optimizedPathLength, std::nullopt);
+    EXPECT_EQ(record.optimizationTime, std::nullopt);
+    EXPECT_EQ(record.solutionFingerprint, result.solution.fingerprint());
+    EXPECT_EQ(record.motion, "rotation");
+    EXPECT_GE(record.time.value(), 0);
+    EXPECT_GE(record.setupTime.value(), 0);
+    EXPECT_GT(record.memory.value(), 1);
+}
+
+TEST(RunPlanner, MeasuresAnOptimizedSolutionBesideTheFirst)
+{
+    const RunResult result = run("walker", {"trimmer"});
+    EXPECT_EQ(result.record.status, PlannerStatus::solved);
+    EXPECT_EQ(result.record.pathLength, 11);
+    EXPECT_EQ(result.record.optimizedPathLength, 5);
+    EXPECT_EQ(result.record.optimizedActions, 5);
+    EXPECT_EQ(result.record.optimizedMakespan, 3);
+    EXPECT_EQ(result.record.optimizedSumOfCosts, 5);
+    EXPECT_GE(result.record.optimizationTime.value(), 0);
+    EXPECT_EQ(result.solution.pathLength(), 11U);
+    EXPECT_EQ(result.optimized.pathLength(), 5U);
+}
+
+TEST(RunPlanner, LeavesMemoryOutWhereOthersShareTheProcess)
+{
+    EXPECT_EQ(run("walker", {}, {.measureMemory = false}).record.memory, std::nullopt);
+}
+
+TEST(RunPlanner, CallsAnExceptionACrash)
+{
+    const RunRecord record = run("thrower").record;
+    EXPECT_EQ(record.status, PlannerStatus::crash);
+    EXPECT_EQ(record.reason, "threw: no luck");
+    EXPECT_TRUE(record.time.has_value());
+    expectNoLengths(record);
+    EXPECT_EQ(run("ball_thrower").record.status, PlannerStatus::crash);
+}
+
+TEST(RunPlanner, CallsAnExceptionInSetupACrash)
+{
+    const RunRecord record = run("setup_thrower").record;
+    EXPECT_EQ(record.status, PlannerStatus::crash);
+    EXPECT_EQ(record.reason, "threw: no setup today");
+    EXPECT_EQ(record.time, std::nullopt);
+}
+
+TEST(RunPlanner, CallsBadAllocTheMemoryLimit)
+{
+    const RunRecord record = run("eater").record;
+    EXPECT_EQ(record.status, PlannerStatus::memory_limit);
+    EXPECT_EQ(record.reason, "out of memory");
+    expectNoLengths(record);
+}
+
+TEST(RunPlanner, StopsAHangingPlannerAtTheTimeLimit)
+{
+    const RunRecord record = run("hanger", {}, {.limits = {.time = 0.05}}).record;
+    EXPECT_EQ(record.status, PlannerStatus::timeout);
+    EXPECT_GE(record.time.value(), 0.05);
+    EXPECT_LT(record.time.value(), 5);
+    expectNoLengths(record);
+}
+
+TEST(RunPlanner, TakesNoAnswerThatComesTooLate)
+{
+    const RunSettings strict{.limits = {.time = 0.05}, .grace = 0.05};
+    const RunResult late = run("sleeper", {}, strict);
+    EXPECT_EQ(late.record.status, PlannerStatus::timeout);
+    EXPECT_THAT(late.record.reason, HasSubstr("the limit is 0.05 s"));
+    EXPECT_TRUE(late.solution.empty());
+    expectNoLengths(late.record);
+
+    const RunSettings gentle{.limits = {.time = 0.05}, .grace = 60};
+    EXPECT_EQ(run("sleeper", {}, gentle).record.status, PlannerStatus::solved);
+}
+
+TEST(RunPlanner, PassesOnWhatThePlannerSays)
+{
+    EXPECT_EQ(run("quitter").record.status, PlannerStatus::gave_up);
+    EXPECT_EQ(run("quitter").record.reason, "too hard");
+    EXPECT_EQ(run("prover").record.status, PlannerStatus::infeasible);
+    EXPECT_EQ(run("shrugger").record.status, PlannerStatus::crash);
+    expectNoLengths(run("quitter").record);
+}
+
+TEST(RunPlanner, DoesNotBelieveAnEmptySolution)
+{
+    const RunResult result = run("liar");
+    EXPECT_EQ(result.record.status, PlannerStatus::invalid);
+    EXPECT_FALSE(result.record.reason.empty());
+    expectNoLengths(result.record);
+}
+
+TEST(RunPlanner, RefusesAnIllegalMoveAndKeepsNothingOfIt)
+{
+    const RunResult result = run("jumper", {"trimmer"});
+    EXPECT_EQ(result.record.status, PlannerStatus::invalid);
+    EXPECT_FALSE(result.record.reason.empty());
+    EXPECT_TRUE(result.solution.empty());
+    expectNoLengths(result.record);
+}
+
+TEST(RunPlanner, MeasuresAPartialSolution)
+{
+    const RunResult result = run("half", {"trimmer"});
+    EXPECT_EQ(result.record.status, PlannerStatus::partial);
+    EXPECT_EQ(result.record.reason, "only robot 0");
+    EXPECT_EQ(result.record.pathLength, 2);
+    EXPECT_EQ(result.record.completed, 0.5);
+    EXPECT_EQ(result.record.optimizedPathLength, std::nullopt);
+    EXPECT_EQ(result.solution.pathLength(), 2U);
+}
+
+TEST(RunPlanner, ChecksTheMovesOfAPartialSolution)
+{
+    EXPECT_EQ(run("bad_half").record.status, PlannerStatus::invalid);
+}
+
+TEST(RunPlanner, DoesNotAskAPlannerThatRejects)
+{
+    const RunRecord record = run("picky").record;
+    EXPECT_EQ(record.status, PlannerStatus::unsupported);
+    EXPECT_EQ(record.reason, "not my kind");
+    EXPECT_EQ(record.setupTime, std::nullopt);
+    EXPECT_EQ(record.time, std::nullopt);
+}
+
+TEST(RunPlanner, DoesNotAskAPlannerOfAWiderMotionRule)
+{
+    EXPECT_EQ(run("turner").record.status, PlannerStatus::partial);
+    const RunRecord record = run("turner", {}, {.motion = MotionRule::following}).record;
+    EXPECT_EQ(record.status, PlannerStatus::unsupported);
+    EXPECT_EQ(record.reason,
+              "its solutions need the motion rule 'rotation', which is wider than 'following'");
+    EXPECT_EQ(record.motion, "following");
+}
+
+TEST(RunPlanner, NamesTheOptimizerThatSpoilsASolution)
+{
+    const RunResult broken = run("walker", {"trimmer", "breaker"});
+    EXPECT_EQ(broken.record.status, PlannerStatus::invalid);
+    EXPECT_THAT(broken.record.reason, StartsWith("optimizer 'breaker' broke the solution: "));
+    EXPECT_TRUE(broken.solution.empty());
+    expectNoLengths(broken.record);
+
+    const RunRecord longer = run("walker", {"stretcher"}).record;
+    EXPECT_EQ(longer.status, PlannerStatus::invalid);
+    EXPECT_EQ(longer.reason, "optimizer 'stretcher' lengthened the solution from 11 to 13 moves");
+
+    const RunRecord failed = run("walker", {"failing"}).record;
+    EXPECT_EQ(failed.status, PlannerStatus::crash);
+    EXPECT_EQ(failed.reason, "optimizer 'failing' threw: lost count");
+}
+
+TEST(RunPlanner, EndsEarlyWhereItIsStopped)
+{
+    std::stop_source stop;
+    stop.request_stop();
+    const RunRecord record = run("hanger", {}, {}, stop.get_token()).record;
+    EXPECT_EQ(record.status, PlannerStatus::aborted);
+    EXPECT_LT(record.time.value(), 5);
+}
+
+TEST(RunPlanner, CallsGrowthBeyondTheLimitTheMemoryLimit)
+{
+    class Glutton final : public Planner
+    {
+    public:
+        Glutton() : Planner({}) {}
+        PlannerStatus solve(const TerminationCondition &) override
+        {
+            food_.assign(std::size_t{64} << 20, 'x');
+            return because(PlannerStatus::gave_up, "full");
+        }
+
+    private:
+        std::vector<char> food_;
+    };
+    Glutton few;
+    const RunRecord record = runPlanner(few, question(), {}, {.limits = {.memory = 20}}, {}).record;
+    EXPECT_EQ(record.status, PlannerStatus::memory_limit);
+    EXPECT_THAT(record.reason, HasSubstr("the limit is 20 MB"));
+    Glutton many;
+    EXPECT_EQ(runPlanner(many, question(), {}, {.limits = {.memory = 2000}}, {}).record.status,
+              PlannerStatus::gave_up);
+}
+
+} // namespace
+} // namespace mrpp
