@@ -56,11 +56,11 @@ void readGraphLine(const TextReader &reader, LineCursor &cursor, InstanceText &i
 std::filesystem::path InstanceText::graphPath() const
 {
     const std::filesystem::path folder = std::filesystem::path(file).parent_path();
-    const std::filesystem::path named = folder / graph; // an absolute path stands alone
+    std::filesystem::path named = folder / graph; // an absolute path stands alone
     std::error_code error;
     if (std::filesystem::exists(named, error))
         return named;
-    const std::filesystem::path beside = folder / std::filesystem::path(graph).filename();
+    std::filesystem::path beside = folder / std::filesystem::path(graph).filename();
     return std::filesystem::exists(beside, error) ? beside : named;
 }
 

@@ -228,11 +228,11 @@ double octileDistance(const GridMap &map, Vertex start, Vertex goal)
 {
     const double diagonal = std::sqrt(2.0);
     const auto [goalX, goalY] = map.cellOf(goal);
-    const auto estimate =
-        [&, targetX = static_cast<double>(goalX), targetY = static_cast<double>(goalY)](std::size_t cell)
+    const auto gap = [](std::size_t a, std::size_t b) { return static_cast<double>(a < b ? b - a : a - b); };
+    const auto estimate = [&, targetX = goalX, targetY = goalY](std::size_t cell)
     {
-        const double dx = std::abs(static_cast<double>(cell % map.width) - targetX);
-        const double dy = std::abs(static_cast<double>(cell / map.width) - targetY);
+        const double dx = gap(cell % map.width, targetX);
+        const double dy = gap(cell / map.width, targetY);
         return std::max(dx, dy) + (diagonal - 1) * std::min(dx, dy);
     };
     const auto free = [&map](std::int64_t x, std::int64_t y)
