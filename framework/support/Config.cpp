@@ -95,26 +95,36 @@ std::string Config::canonical() const
     return toJson(*this).dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
 }
 
-std::optional<double> parseNumber(std::string_view text)
+namespace
 {
-    if (!text.empty() && text.front() == '+')
-        text.remove_prefix(1);
-    double value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
-        return std::nullopt;
-    return value;
+/// Without the plus that from_chars does not know.
+std::string_view withoutPlus(std::string_view text)
+{
+    const bool plus = text.size() > 1 && text[0] == '+' && text[1] != '-';
+    return text.substr(plus ? 1 : 0);
 }
 
-std::optional<std::int64_t> parseInteger(std::string_view text)
+template <class Number>
+std::optional<Number> parseWhole(std::string_view text)
 {
-    if (!text.empty() && text.front() == '+')
-        text.remove_prefix(1);
-    std::int64_t value = 0;
+    text = withoutPlus(text);
+    Number value{};
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error != std::errc() || end != text.data() + text.size())
         return std::nullopt;
     return value;
+}
+} // namespace
+
+std::optional<double> parseNumber(std::string_view text)
+{
+    const auto value = parseWhole<double>(text);
+    return value && std::isfinite(*value) ? value : std::nullopt;
+}
+
+std::optional<std::int64_t> parseInteger(std::string_view text)
+{
+    return parseWhole<std::int64_t>(text);
 }
 
 std::string formatNumber(double value)

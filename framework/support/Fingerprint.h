@@ -14,7 +14,7 @@ namespace mrpp
 {
 
 /// Collects values and hashes them in order. Strings are length-prefixed and numbers little-endian, so that
-/// different sequences of values never collide by concatenation.
+/// different sequences of values of the same types never collide by concatenation.
 class Fingerprint
 {
 public:

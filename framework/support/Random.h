@@ -33,7 +33,7 @@ template <class... Parts>
 {
     Fingerprint hash;
     hash.add(seed);
-    const auto addPart = [&hash](const auto &part)
+    [[maybe_unused]] const auto addPart = [&hash](const auto &part)
     {
         if constexpr (std::is_convertible_v<decltype(part), std::string_view>)
             hash.add(std::string_view(part));

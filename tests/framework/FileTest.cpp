@@ -1,0 +1,147 @@
+#include "framework/support/File.h"
+#include "framework/support/Error.h"
+#include "framework/support/Memory.h"
+
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <sys/resource.h>
+#include <unistd.h>
+#include <vector>
+
+namespace mrpp
+{
+namespace
+{
+
+namespace fs = std::filesystem;
+
+class File : public ::testing::Test
+{
+protected:
+    File()
+    {
+        std::string name = (fs::temp_directory_path() / "mrpp-file-XXXXXX").string();
+        folder_ = ::mkdtemp(name.data());
+    }
+    ~File() override { fs::remove_all(folder_); }
+
+    [[nodiscard]] std::size_t filesInFolder() const
+    {
+        return static_cast<std::size_t>(
+            std::distance(fs::directory_iterator(folder_), fs::directory_iterator()));
+    }
+
+    template <class Action>
+    static std::string complaintOf(Action &&action)
+    {
+        try
+        {
+            action();
+        }
+        catch (const FileError &error)
+        {
+            return error.complaint();
+        }
+        return "no error";
+    }
+
+    fs::path folder_;
+};
+
+TEST_F(File, IsReadBackByteByByte)
+{
+    const std::string bytes("a\0b\r\n\xff", 6);
+    writeFile(folder_ / "x", bytes);
+    EXPECT_EQ(readFile(folder_ / "x"), bytes);
+    writeFile(folder_ / "x", "");
+    EXPECT_EQ(readFile(folder_ / "x"), "");
+    EXPECT_EQ(filesInFolder(), 1U) << "nothing temporary stays behind";
+}
+
+TEST_F(File, MakesMissingFoldersAndCanBeReadByAll)
+{
+    writeFile(folder_ / "a" / "b" / "x", "text");
+    EXPECT_EQ(readFile(folder_ / "a" / "b" / "x"), "text");
+    EXPECT_EQ(fs::status(folder_ / "a" / "b" / "x").permissions(), static_cast<fs::perms>(0644));
+}
+
+TEST_F(File, SaysWhyItCannotBeRead)
+{
+    EXPECT_EQ(complaintOf([&] { (void)readFile(folder_ / "none"); }), "there is no such file");
+    EXPECT_EQ(complaintOf([&] { (void)readFile(folder_); }), "is a folder, but a file is needed");
+    try
+    {
+        (void)readFile(folder_ / "none");
+        FAIL();
+    }
+    catch (const FileError &error)
+    {
+        EXPECT_EQ(error.where().file, (folder_ / "none").string());
+    }
+}
+
+TEST_F(File, IsNotWrittenWhereItsFolderIsAFile)
+{
+    writeFile(folder_ / "x", "old");
+    EXPECT_EQ(complaintOf([&] { writeFile(folder_ / "x" / "y", "new"); }),
+              "cannot be written (create): Not a directory");
+    EXPECT_EQ(readFile(folder_ / "x"), "old");
+}
+
+TEST_F(File, DoesNotReplaceAFolder)
+{
+    fs::create_directory(folder_ / "sub");
+    EXPECT_EQ(complaintOf([&] { writeFile(folder_ / "sub", "text"); }),
+              "cannot be written (rename): Is a directory");
+    EXPECT_EQ(filesInFolder(), 1U);
+}
+
+TEST_F(File, IsNotWrittenIntoAFolderThatForbidsIt)
+{
+    if (::geteuid() == 0)
+        GTEST_SKIP() << "nothing is forbidden to root";
+    fs::permissions(folder_, fs::perms::owner_read | fs::perms::owner_exec);
+    EXPECT_EQ(complaintOf([&] { writeFile(folder_ / "x", "text"); }),
+              "cannot be written (create): Permission denied");
+    fs::permissions(folder_, fs::perms::owner_all);
+}
+
+TEST_F(File, AFailingWriteLeavesTheOldFile)
+{
+    writeFile(folder_ / "x", "old");
+    struct rlimit before = {};
+    ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
+    struct rlimit tight = before;
+    tight.rlim_cur = 1000;
+    const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+    ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &tight), 0);
+    const std::string complaint = complaintOf([&] { writeFile(folder_ / "x", std::string(5000, 'n')); });
+    ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &before), 0);
+    std::signal(SIGXFSZ, handler);
+    EXPECT_EQ(complaint, "cannot be written (write): File too large");
+    EXPECT_EQ(readFile(folder_ / "x"), "old");
+    EXPECT_EQ(filesInFolder(), 1U);
+}
+
+TEST(Memory, PeakGrowsWithWhatIsTouched)
+{
+    if (!resetPeakMemory())
+        GTEST_SKIP() << "the system does not let a process reset its peak";
+    const double before = peakMemory();
+    EXPECT_GT(before, 1);
+    {
+        const std::vector<char> block(64'000'000, 1);
+        EXPECT_EQ(block.back(), 1);
+    }
+    EXPECT_GT(peakMemory(), before + 50);
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) // they keep what was freed
+    EXPECT_TRUE(resetPeakMemory());
+    EXPECT_LT(peakMemory(), before + 50) << "the peak is forgotten";
+#endif
+}
+
+} // namespace
+} // namespace mrpp
