@@ -35,7 +35,7 @@ TEST(Config, IsATreeThatKnowsItsPlaces)
 {
     const Config map =
         Config::map({entry("robots", Config::scalar("20", {"plan.yaml", 3, 13}), {"plan.yaml", 3, 5}),
-                                    entry("names", Config::list({Config::scalar("a"), Config::scalar("b")}))});
+                     entry("names", Config::list({Config::scalar("a"), Config::scalar("b")}))});
     ASSERT_TRUE(map.isMap());
     EXPECT_EQ(map.find("robots")->integer(), 20);
     EXPECT_EQ(map.find("robots")->where().toString(), "plan.yaml:3:13");

@@ -1,5 +1,5 @@
-#include "framework/Catalog.h"
 #include "algorithms/Algorithms.h"
+#include "framework/Catalog.h"
 #include "framework/support/File.h"
 
 #include <gtest/gtest.h>
@@ -67,7 +67,8 @@ std::vector<std::string> violations(const std::string &folder, const Source &sou
         const std::string place = source.path + ":" + std::to_string(number) + ": ";
         if (ours && target != folder && !kMayInclude.at(folder).contains(target))
             found.push_back(place + folder + "/ may not include " + path);
-        else if (match[1] == "\"" && (!ours || path.find('/') == std::string::npos))
+        else if (match[1] == "\"" && !ours &&
+                 fs::exists((fs::path(MRPP_SOURCE_DIR) / source.path).replace_filename(path)))
             found.push_back(place + path + " is not given by its path from the project's root");
         else if (match[1] == "<" && ours && fs::exists(fs::path(MRPP_SOURCE_DIR) / path))
             found.push_back(place + path + " is the project's own and goes in quotes");
@@ -91,8 +92,9 @@ TEST(IncludeRule, HoldsInEveryFile)
 
 TEST(IncludeRule, IsNoticedWhereItIsBroken)
 {
-    const auto count = [](const std::string &folder, const std::string &line)
-    { return violations(folder, {folder + "/X.h", "// first\n" + line + "\n"}).size(); };
+    const auto count = [](const std::string &folder, const std::string &line) {
+        return violations(folder, {folder + "/X.h", "// first\n" + line + "\n"}).size();
+    };
     EXPECT_EQ(count("framework", "#include \"algorithms/Algorithms.h\""), 1U);
     EXPECT_EQ(count("framework", "  #  include <yaml/PlanReader.h>"), 1U);
     EXPECT_EQ(count("reports", "#include \"problems/Problems.h\""), 1U);
@@ -124,7 +126,8 @@ TEST(IncludeRule, TheFrameworkNamesNoPlanner)
     Catalog catalog;
     registerAlgorithms(catalog);
     std::vector<std::string> names = catalog.planners.names();
-    for (const char *known : {"push_and_swap", "push_and_rotate", "push_and_spin", "bibox", "bibox_theta", "mapp", "tass"})
+    for (const char *known :
+         {"push_and_swap", "push_and_rotate", "push_and_spin", "bibox", "bibox_theta", "mapp", "tass"})
         names.emplace_back(known);
     for (const Source &source : sources("framework"))
     {
