@@ -1,0 +1,108 @@
+#include "reports/Aggregate.h"
+
+#include "framework/evaluation/Metrics.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace mrpp
+{
+
+std::optional<Quartiles> quartiles(std::vector<double> values)
+{
+    if (values.empty())
+        return std::nullopt;
+    std::sort(values.begin(), values.end());
+    const auto quantile = [&values](double share)
+    {
+        const double position = share * static_cast<double>(values.size() - 1);
+        const auto below = static_cast<std::size_t>(position);
+        const std::size_t above = std::min(below + 1, values.size() - 1);
+        return values[below] + (position - static_cast<double>(below)) * (values[above] - values[below]);
+    };
+    return Quartiles{quantile(0.25), quantile(0.5), quantile(0.75), values.size()};
+}
+
+std::size_t RunGroup::solved() const { return count(PlannerStatus::solved); }
+
+std::size_t RunGroup::count(PlannerStatus status) const
+{
+    return static_cast<std::size_t>(std::count_if(
+        runs.begin(), runs.end(), [status](const RunRecord *run) { return run->status == status; }));
+}
+
+double RunGroup::successRate() const
+{
+    return runs.empty() ? 0 : static_cast<double>(solved()) / static_cast<double>(runs.size());
+}
+
+std::optional<Quartiles> RunGroup::overSolved(std::string_view column) const
+{
+    std::vector<double> values;
+    for (const RunRecord *run : runs)
+        if (run->solved())
+            if (const auto value = numericValue(*run, column))
+                values.push_back(*value);
+    return quartiles(std::move(values));
+}
+
+std::optional<Quartiles> RunGroup::ratio(std::string_view cost, std::string_view bound) const
+{
+    std::vector<double> values;
+    for (const RunRecord *run : runs)
+    {
+        const auto above = numericValue(*run, cost);
+        const auto below = numericValue(*run, bound);
+        if (run->solved() && above && below && *below > 0)
+            values.push_back(*above / *below);
+    }
+    return quartiles(std::move(values));
+}
+
+std::vector<RunGroup> groupRuns(std::span<const RunRecord> records)
+{
+    using Key = std::tuple<std::string, std::string, std::string, std::optional<double>, std::string>;
+    std::map<Key, std::size_t> positions;
+    std::vector<RunGroup> groups;
+    for (const RunRecord &run : records)
+    {
+        const auto [position, isNew] = positions.try_emplace(
+            Key{run.model, run.problem, run.sweepVariable, run.sweepValue, run.planner}, groups.size());
+        if (isNew)
+            groups.push_back(
+                {run.model, run.problem, run.sweepVariable, run.sweepValue, run.planner, {}});
+        groups[position->second].runs.push_back(&run);
+    }
+    return groups;
+}
+
+std::vector<ProblemSummary> summarizeProblems(std::span<const RunRecord> records)
+{
+    std::map<std::tuple<std::string, std::string, std::string>, std::size_t> positions;
+    std::vector<ProblemSummary> problems;
+    for (RunGroup &group : groupRuns(records))
+    {
+        const auto [position, isNew] = positions.try_emplace(
+            {group.model, group.problem, group.sweepVariable}, problems.size());
+        if (isNew)
+            problems.push_back({group.model, group.problem, group.sweepVariable, {}});
+        problems[position->second].groups.push_back(std::move(group));
+    }
+    for (ProblemSummary &problem : problems)
+        std::stable_sort(problem.groups.begin(), problem.groups.end(),
+                         [](const RunGroup &a, const RunGroup &b) { return a.sweepValue < b.sweepValue; });
+    return problems;
+}
+
+std::string metricTitle(std::string_view column)
+{
+    const Metric *metric = findMetric(column);
+    if (metric == nullptr)
+        return std::string(column);
+    std::string title(metric->title);
+    if (!metric->unit.empty())
+        title += " (" + std::string(metric->unit) + ")";
+    return title;
+}
+
+} // namespace mrpp

@@ -1,0 +1,29 @@
+#pragma once
+/// \file
+/// `csv`: results.csv with a row a run, and summary.csv with a row a planner and problem or sweep point.
+///
+/// RFC 4180 quoting, lines end with \n. Nothing stands for a number that does not exist.
+
+#include "framework/Report.h"
+
+#include <string>
+
+namespace mrpp
+{
+
+class CsvReport : public Report
+{
+public:
+    [[nodiscard]] std::vector<std::filesystem::path>
+    write(const ResultTable &results, const Provenance &provenance,
+          const std::filesystem::path &folder) const override;
+};
+
+/// results.csv: the columns of runColumns(), then whatever columns events added, sorted by name.
+[[nodiscard]] std::string resultsCsv(const std::vector<RunRecord> &records);
+
+/// summary.csv: how many runs were solved; for each measure its quartiles over the solved runs and, as
+/// NAME_n, of how many runs these are; and how many runs ended in each other way.
+[[nodiscard]] std::string summaryCsv(const std::vector<RunRecord> &records);
+
+} // namespace mrpp

@@ -1,0 +1,303 @@
+#include "reports/drawing/CampaignFigures.h"
+
+#include "framework/support/Config.h"
+#include "reports/drawing/Text.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <fmt/format.h>
+#include <map>
+#include <set>
+
+namespace mrpp
+{
+
+namespace
+{
+
+struct Measure
+{
+    const char *column;
+    const char *bound; ///< column of what no planner can beat, or nothing
+    const char *of;    ///< for captions
+};
+
+constexpr std::array<Measure, 5> kMeasures = {{
+    {"path_length", "path_length_lower_bound", "number of moves of the solutions as the planners gave them"},
+    {"optimized_path_length", "path_length_lower_bound", "number of moves after the optimizers"},
+    {"makespan", "makespan_lower_bound", "number of parallel steps of the condensed solutions"},
+    {"optimized_makespan", "makespan_lower_bound",
+     "number of parallel steps of the optimized and condensed solutions"},
+    {"time", nullptr, "wall time of solve() alone"},
+}};
+
+constexpr const char *kPathBound = "lower bound (sum of shortest paths)";
+constexpr const char *kMakespanBound = "lower bound (longest shortest path)";
+
+const char *boundLabel(const Measure &measure)
+{
+    return std::string_view(measure.bound) == "makespan_lower_bound" ? kMakespanBound : kPathBound;
+}
+
+/// "10 runs", or "8 to 10 runs" where a campaign is unfinished.
+std::string runsAPoint(const std::vector<const RunGroup *> &groups)
+{
+    const auto bySize = [](const RunGroup *a, const RunGroup *b) { return a->runs.size() < b->runs.size(); };
+    const auto [least, most] = std::minmax_element(groups.begin(), groups.end(), bySize);
+    const std::string runs = counted((*most)->runs.size(), "run");
+    return (*least)->runs.size() == (*most)->runs.size()
+               ? runs
+               : fmt::format("{} to {}", (*least)->runs.size(), runs);
+}
+
+/// The median of a bound over all runs of the groups; solved or not, they share their instances.
+std::optional<double> medianBound(const std::vector<const RunGroup *> &groups, std::string_view column)
+{
+    std::vector<double> values;
+    for (const RunGroup *group : groups)
+        for (const RunRecord *run : group->runs)
+            if (const auto value = numericValue(*run, column))
+                values.push_back(*value);
+    const auto summary = quartiles(std::move(values));
+    return summary ? std::optional(summary->median) : std::nullopt;
+}
+
+/// Groups that stand at the same place of a figure: one sweep point, or one row.
+struct Place
+{
+    double at = 0;
+    std::vector<const RunGroup *> groups;
+};
+
+class Builder
+{
+public:
+    explicit Builder(const ResultTable &results)
+        : problems_(summarizeProblems(results.records()))
+    {
+        for (const Configured &planner : results.plan().planners)
+            addPlanner(planner.name);
+        for (const RunRecord &record : results.records())
+            addPlanner(record.planner);
+    }
+
+    CampaignFigures build()
+    {
+        std::vector<std::string> models;
+        std::map<std::string, std::vector<const ProblemSummary *>> unswept;
+        for (const ProblemSummary &problem : problems_)
+        {
+            if (isCurve(problem))
+            {
+                addCurves(problem);
+                continue;
+            }
+            if (unswept[problem.model].empty())
+                models.push_back(problem.model);
+            unswept[problem.model].push_back(&problem);
+        }
+        for (const std::string &model : models)
+            addComparisons(model, unswept[model]);
+        return std::move(result_);
+    }
+
+private:
+    std::vector<ProblemSummary> problems_;
+    std::vector<std::string> planners_; ///< in the plan's order; a planner's position is its style
+    FileNames names_;
+    CampaignFigures result_;
+
+    void addPlanner(const std::string &name)
+    {
+        if (std::find(planners_.begin(), planners_.end(), name) == planners_.end())
+            planners_.push_back(name);
+    }
+
+    /// A sweep of one point is compared, not drawn as a curve.
+    static bool isCurve(const ProblemSummary &problem)
+    {
+        return problem.swept() &&
+               problem.groups.front().sweepValue != problem.groups.back().sweepValue;
+    }
+
+    /// One series for each planner that has runs at these places.
+    template <class Value>
+    std::vector<FigureSeries> makeSeries(const std::vector<Place> &places, Value &&value) const
+    {
+        std::vector<FigureSeries> series;
+        for (std::size_t style = 0; style < planners_.size(); ++style)
+        {
+            FigureSeries curve{planners_[style], style, {}};
+            for (const Place &place : places)
+                for (const RunGroup *group : place.groups)
+                    if (group->planner == planners_[style])
+                        curve.points.push_back(
+                            {place.at, value(*group), group->solved(), group->runs.size()});
+            if (!curve.points.empty())
+                series.push_back(std::move(curve));
+        }
+        return series;
+    }
+
+    /// Fills in series and bounds; false where no planner has a value.
+    bool fill(Figure &figure, const std::vector<Place> &places, const Measure &measure) const
+    {
+        figure.measure = metricTitle(measure.column);
+        figure.series =
+            makeSeries(places, [&](const RunGroup &group) { return group.overSolved(measure.column); });
+        const auto hasValue = [](const FigurePoint &point) { return point.value.has_value(); };
+        if (std::none_of(figure.series.begin(), figure.series.end(), [&](const FigureSeries &series)
+                         { return std::any_of(series.points.begin(), series.points.end(), hasValue); }))
+            return false;
+        if (measure.bound == nullptr)
+            return true;
+        for (const Place &place : places)
+            if (const auto bound = medianBound(place.groups, measure.bound))
+                figure.bounds.push_back({place.at, *bound});
+        if (!figure.bounds.empty())
+            figure.boundLabel = boundLabel(measure);
+        return true;
+    }
+
+    static std::string measureName(const Measure &measure)
+    {
+        std::string name = metricTitle(measure.column);
+        return name.substr(0, name.rfind(" ("));
+    }
+
+    void addCurves(const ProblemSummary &problem)
+    {
+        std::vector<Place> places;
+        std::vector<const RunGroup *> groups;
+        for (const RunGroup &group : problem.groups)
+        {
+            const double at = group.sweepValue.value_or(0);
+            if (places.empty() || places.back().at != at)
+                places.push_back({at, {}});
+            places.back().groups.push_back(&group);
+            groups.push_back(&group);
+        }
+        const std::string prefix = problem.model + "-" + problem.problem + "-" +
+                                   (problem.sweepVariable == "robots" ? "" : problem.sweepVariable + "-");
+        const std::string where =
+            fmt::format("{} ({}) against {}", oneLine(problem.problem), spaced(problem.model),
+                        spaced(problem.sweepVariable));
+        bool anything = false;
+        for (const Measure &measure : kMeasures)
+        {
+            Figure figure;
+            figure.kind = Figure::Kind::curves;
+            figure.variable = variableTitle(problem.sweepVariable);
+            if (!fill(figure, places, measure))
+                continue;
+            anything = true;
+            figure.name = names_.add(prefix + measure.column);
+            figure.title = measureName(measure) + " on " + oneLine(problem.problem);
+            figure.caption = fmt::format(
+                "{} on {}: {}. Lines: median over the solved runs; bands: their quartiles; {} at each point. "
+                "Hollow markers: not every run was solved, the lower panel shows the share that was.{}",
+                measureName(measure), where, measure.of, runsAPoint(groups),
+                figure.bounds.empty() ? "" : " Dashed grey: lower bound, the median over the instances.");
+            result_.figures.push_back(std::move(figure));
+        }
+        if (!anything)
+            result_.complaints.push_back(fmt::format(
+                "{}: no run was solved, so there is no figure but that of success", oneLine(problem.problem)));
+
+        Figure success;
+        success.kind = Figure::Kind::curves;
+        success.isPercentage = true;
+        success.name = names_.add(prefix + "success_rate");
+        success.title = "Success rate on " + oneLine(problem.problem);
+        success.caption = fmt::format("Success rate on {}: share of the runs that ended with a valid solution "
+                                      "within the limits; {} at each point.",
+                                      where, runsAPoint(groups));
+        success.variable = variableTitle(problem.sweepVariable);
+        success.measure = "Runs solved (%)";
+        success.series = makeSeries(places,
+                                    [](const RunGroup &group)
+                                    {
+                                        const double percent = 100 * group.successRate();
+                                        return Quartiles{percent, percent, percent, group.runs.size()};
+                                    });
+        for (FigureSeries &series : success.series)
+            for (FigurePoint &point : series.points)
+                point.value->count = point.runs;
+        result_.figures.push_back(std::move(success));
+    }
+
+    void addComparisons(const std::string &model, const std::vector<const ProblemSummary *> &problems)
+    {
+        constexpr std::size_t kRowsAtMost = 36;
+        const std::size_t parts = (problems.size() + kRowsAtMost - 1) / kRowsAtMost;
+        for (std::size_t part = 0; part < parts; ++part)
+        {
+            const std::size_t first = problems.size() * part / parts;
+            const std::size_t last = problems.size() * (part + 1) / parts;
+            addComparison(model, {problems.begin() + static_cast<std::ptrdiff_t>(first),
+                                  problems.begin() + static_cast<std::ptrdiff_t>(last)});
+        }
+    }
+
+    void addComparison(const std::string &model, const std::vector<const ProblemSummary *> &problems)
+    {
+        std::vector<Place> places;
+        std::vector<std::string> rows;
+        std::vector<const RunGroup *> groups;
+        for (const ProblemSummary *problem : problems)
+        {
+            places.push_back({static_cast<double>(rows.size()), {}});
+            for (const RunGroup &group : problem->groups)
+                places.back().groups.push_back(&group);
+            groups.insert(groups.end(), places.back().groups.begin(), places.back().groups.end());
+            const auto sweepValue = problem->groups.front().sweepValue;
+            rows.push_back(oneLine(problem->problem) +
+                           (sweepValue ? fmt::format(", {} {}", formatNumber(*sweepValue),
+                                                     spaced(problem->sweepVariable))
+                                       : ""));
+        }
+        bool anything = false;
+        for (const Measure &measure : kMeasures)
+        {
+            Figure figure;
+            figure.kind = Figure::Kind::comparison;
+            if (!fill(figure, places, measure))
+                continue;
+            anything = true;
+            figure.rows = rows;
+            figure.name = names_.add(model + "-" + measure.column);
+            figure.title = measureName(measure) + ", " + spaced(model) + " problems";
+            figure.caption = fmt::format(
+                "{} on the {} problems: {}. Markers: median over the solved runs; bars: their quartiles; {} for "
+                "each problem and planner. Hollow markers: not every run was solved, the panel on the right "
+                "shows the share that was; no marker on the left: none was solved.{}",
+                measureName(measure), spaced(model), measure.of, runsAPoint(groups),
+                figure.bounds.empty() ? "" : " Upright strokes: lower bound.");
+            result_.figures.push_back(std::move(figure));
+        }
+        if (!anything)
+            result_.complaints.push_back(
+                fmt::format("{}: no run was solved, so there is nothing to compare", spaced(model)));
+    }
+};
+
+} // namespace
+
+std::string variableTitle(const std::string &variable)
+{
+    if (variable == "robots")
+        return "Robots";
+    if (variable == "free")
+        return "Free vertices";
+    if (variable == "occupancy")
+        return "Occupancy (robots per vertex)";
+    std::string title = spaced(variable);
+    if (!title.empty())
+        title.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(title.front())));
+    return title;
+}
+
+CampaignFigures campaignFigures(const ResultTable &results) { return Builder(results).build(); }
+
+} // namespace mrpp

@@ -1,0 +1,28 @@
+#pragma once
+/// \file
+/// The figures of a campaign: which there are, what they show and what their captions say.
+
+#include "framework/campaign/ResultTable.h"
+#include "reports/drawing/Figure.h"
+
+#include <string>
+#include <vector>
+
+namespace mrpp
+{
+
+struct CampaignFigures
+{
+    std::vector<Figure> figures;
+    std::vector<std::string> complaints; ///< what cannot be shown, and why
+};
+
+/// For each sweep: path length, makespan (each also optimized), time and success against the swept variable.
+/// For each family's other problems: the same measures compared, a row a problem. A measure that no run has
+/// gets no figure. The same results give the same figures under the same names.
+[[nodiscard]] CampaignFigures campaignFigures(const ResultTable &results);
+
+/// "Robots", "Free vertices", …: the title of a swept variable's axis.
+[[nodiscard]] std::string variableTitle(const std::string &variable);
+
+} // namespace mrpp

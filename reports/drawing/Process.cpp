@@ -1,0 +1,150 @@
+#include "reports/drawing/Process.h"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <fcntl.h>
+#include <poll.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <thread>
+#include <unistd.h>
+
+extern char **environ;
+
+namespace mrpp
+{
+
+namespace
+{
+
+using Clock = std::chrono::steady_clock;
+
+/// A file descriptor that closes itself.
+class Descriptor
+{
+public:
+    explicit Descriptor(int number) : number_(number) {}
+    ~Descriptor() { close(); }
+    Descriptor(const Descriptor &) = delete;
+    Descriptor &operator=(const Descriptor &) = delete;
+
+    [[nodiscard]] int number() const { return number_; }
+    void close()
+    {
+        if (number_ >= 0)
+            ::close(number_);
+        number_ = -1;
+    }
+
+private:
+    int number_;
+};
+
+/// Starts the program with its output going into `output`; −1 where that fails.
+pid_t spawn(const std::vector<std::string> &arguments, const std::filesystem::path &folder, int output)
+{
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
+    posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+    posix_spawn_file_actions_adddup2(&actions, output, STDOUT_FILENO);
+    posix_spawn_file_actions_adddup2(&actions, output, STDERR_FILENO);
+
+    // The caller's ignored and blocked signals are its own business, not the program's.
+    posix_spawnattr_t attributes;
+    posix_spawnattr_init(&attributes);
+    sigset_t none;
+    sigset_t restored;
+    sigemptyset(&none);
+    sigemptyset(&restored);
+    for (const int signal : {SIGPIPE, SIGINT, SIGTERM})
+        sigaddset(&restored, signal);
+    posix_spawnattr_setsigmask(&attributes, &none);
+    posix_spawnattr_setsigdefault(&attributes, &restored);
+    posix_spawnattr_setpgroup(&attributes, 0);
+    posix_spawnattr_setflags(&attributes,
+                             POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
+
+    std::vector<char *> pointers;
+    pointers.reserve(arguments.size() + 1);
+    for (const std::string &argument : arguments)
+        pointers.push_back(const_cast<char *>(argument.c_str()));
+    pointers.push_back(nullptr);
+    pid_t child = -1;
+    const int error =
+        ::posix_spawnp(&child, pointers.front(), &actions, &attributes, pointers.data(), environ);
+    posix_spawnattr_destroy(&attributes);
+    posix_spawn_file_actions_destroy(&actions);
+    return error == 0 ? child : -1;
+}
+
+/// Collects what comes out until the other end closes; false where the deadline came first.
+bool collect(int source, Clock::time_point deadline, std::string &output)
+{
+    constexpr std::size_t kKept = std::size_t{64} << 10;
+    std::array<char, 4096> buffer{};
+    for (;;)
+    {
+        const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now()).count();
+        if (left <= 0)
+            return false;
+        pollfd waited{source, POLLIN, 0};
+        if (::poll(&waited, 1, static_cast<int>(std::min<long long>(left, 60'000))) <= 0)
+            continue;
+        const ssize_t size = ::read(source, buffer.data(), buffer.size());
+        if (size < 0 && errno == EINTR)
+            continue;
+        if (size <= 0)
+            return true;
+        output.append(buffer.data(), std::min(static_cast<std::size_t>(size), kKept - output.size()));
+    }
+}
+
+/// Waits until the child ends; false where the deadline came first.
+bool waitFor(pid_t child, Clock::time_point deadline, int &status)
+{
+    for (;;)
+    {
+        const pid_t ended = ::waitpid(child, &status, WNOHANG);
+        if (ended == child)
+            return true;
+        if ((ended < 0 && errno != EINTR) || Clock::now() >= deadline)
+            return false;
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+}
+
+} // namespace
+
+ProcessResult runProcess(const std::vector<std::string> &arguments, const std::filesystem::path &folder,
+                         std::chrono::milliseconds limit)
+{
+    ProcessResult result;
+    std::array<int, 2> ends{};
+    if (::pipe2(ends.data(), O_CLOEXEC) != 0)
+        return result;
+    Descriptor source(ends[0]);
+    Descriptor sink(ends[1]);
+    const pid_t child = spawn(arguments, folder, sink.number());
+    sink.close();
+    if (child < 0)
+        return result;
+    result.started = true;
+
+    const auto deadline = Clock::now() + limit;
+    int status = 0;
+    result.timedOut =
+        !collect(source.number(), deadline, result.output) || !waitFor(child, deadline, status);
+    if (result.timedOut)
+    {
+        ::kill(-child, SIGKILL);
+        while (::waitpid(child, &status, 0) < 0 && errno == EINTR)
+            continue;
+    }
+    result.exitCode = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    return result;
+}
+
+} // namespace mrpp
