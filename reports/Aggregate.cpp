@@ -23,7 +23,10 @@ std::optional<Quartiles> quartiles(std::vector<double> values)
     return Quartiles{quantile(0.25), quantile(0.5), quantile(0.75), values.size()};
 }
 
-std::size_t RunGroup::solved() const { return count(PlannerStatus::solved); }
+std::size_t RunGroup::solved() const
+{
+    return count(PlannerStatus::solved);
+}
 
 std::size_t RunGroup::count(PlannerStatus status) const
 {
@@ -69,8 +72,7 @@ std::vector<RunGroup> groupRuns(std::span<const RunRecord> records)
         const auto [position, isNew] = positions.try_emplace(
             Key{run.model, run.problem, run.sweepVariable, run.sweepValue, run.planner}, groups.size());
         if (isNew)
-            groups.push_back(
-                {run.model, run.problem, run.sweepVariable, run.sweepValue, run.planner, {}});
+            groups.push_back({run.model, run.problem, run.sweepVariable, run.sweepValue, run.planner, {}});
         groups[position->second].runs.push_back(&run);
     }
     return groups;
@@ -82,8 +84,8 @@ std::vector<ProblemSummary> summarizeProblems(std::span<const RunRecord> records
     std::vector<ProblemSummary> problems;
     for (RunGroup &group : groupRuns(records))
     {
-        const auto [position, isNew] = positions.try_emplace(
-            {group.model, group.problem, group.sweepVariable}, problems.size());
+        const auto [position, isNew] =
+            positions.try_emplace({group.model, group.problem, group.sweepVariable}, problems.size());
         if (isNew)
             problems.push_back({group.model, group.problem, group.sweepVariable, {}});
         problems[position->second].groups.push_back(std::move(group));

@@ -15,14 +15,14 @@ namespace
 {
 
 constexpr std::array<std::string_view, 8> kSummarized = {
-    "time",    "path_length",  "optimized_path_length", "makespan", "optimized_makespan",
-    "actions", "sum_of_costs", "memory"};
+    "time",         "path_length", "optimized_path_length", "makespan", "optimized_makespan", "actions",
+    "sum_of_costs", "memory"};
 
-constexpr std::array<PlannerStatus, 10> kFailures = {
-    PlannerStatus::timeout,     PlannerStatus::memory_limit, PlannerStatus::crash,
-    PlannerStatus::invalid,     PlannerStatus::gave_up,      PlannerStatus::partial,
-    PlannerStatus::infeasible,  PlannerStatus::unsupported,  PlannerStatus::aborted,
-    PlannerStatus::unknown};
+constexpr std::array<PlannerStatus, 10> kFailures = {PlannerStatus::timeout,    PlannerStatus::memory_limit,
+                                                     PlannerStatus::crash,      PlannerStatus::invalid,
+                                                     PlannerStatus::gave_up,    PlannerStatus::partial,
+                                                     PlannerStatus::infeasible, PlannerStatus::unsupported,
+                                                     PlannerStatus::aborted,    PlannerStatus::unknown};
 
 } // namespace
 
@@ -56,8 +56,8 @@ std::string resultsCsv(const std::vector<RunRecord> &records)
 std::string summaryCsv(const std::vector<RunRecord> &records)
 {
     CsvTable table;
-    for (const char *name : {"model", "problem", "sweep_variable", "sweep_value", "planner", "runs", "solved",
-                             "success_rate"})
+    for (const char *name :
+         {"model", "problem", "sweep_variable", "sweep_value", "planner", "runs", "solved", "success_rate"})
         table.cell(name);
     for (std::string_view metric : kSummarized)
         for (const char *suffix : {"_median", "_q1", "_q3", "_n"})

@@ -1,8 +1,20 @@
 #include "reports/Reports.h"
 
+#include "reports/ChartsReport.h"
+#include "reports/CsvReport.h"
+#include "reports/LayoutsReport.h"
+
 namespace mrpp
 {
 
-void registerReports(Catalog &) {}
+void registerReports(Catalog &catalog)
+{
+    catalog.reports.add<CsvReport>(
+        "csv", "results.csv with a row a run, summary.csv with a row a planner and problem");
+    catalog.reports.add<ChartsReport>("charts",
+                                      "figures of every sweep and comparison, with gnuplot scripts and data");
+    catalog.reports.add<LayoutsReport>(
+        "layouts", "pictures of the instances with starts, goals and routes, by Graphviz");
+}
 
 } // namespace mrpp

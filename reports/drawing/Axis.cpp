@@ -15,7 +15,10 @@ namespace
 
 constexpr double kTwoDecades = 100;
 
-bool spansDecades(double least, double most) { return least > 0 && most / least > kTwoDecades; }
+bool spansDecades(double least, double most)
+{
+    return least > 0 && most / least > kTwoDecades;
+}
 
 /// A named tic at each power of ten within the range and small ones between; over many decades fewer names.
 std::vector<Tic> decadeTics(double least, double most)

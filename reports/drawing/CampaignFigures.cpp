@@ -32,12 +32,11 @@ constexpr std::array<Measure, 5> kMeasures = {{
     {"time", nullptr, "wall time of solve() alone"},
 }};
 
-constexpr const char *kPathBound = "lower bound (sum of shortest paths)";
-constexpr const char *kMakespanBound = "lower bound (longest shortest path)";
-
-const char *boundLabel(const Measure &measure)
+/// What a bound is, for captions.
+const char *boundMeaning(const Measure &measure)
 {
-    return std::string_view(measure.bound) == "makespan_lower_bound" ? kMakespanBound : kPathBound;
+    return std::string_view(measure.bound) == "makespan_lower_bound" ? "the longest of the shortest paths"
+                                                                     : "the sum of the shortest paths";
 }
 
 /// "10 runs", or "8 to 10 runs" where a campaign is unfinished.
@@ -73,8 +72,7 @@ struct Place
 class Builder
 {
 public:
-    explicit Builder(const ResultTable &results)
-        : problems_(summarizeProblems(results.records()))
+    explicit Builder(const ResultTable &results) : problems_(summarizeProblems(results.records()))
     {
         for (const Configured &planner : results.plan().planners)
             addPlanner(planner.name);
@@ -117,8 +115,7 @@ private:
     /// A sweep of one point is compared, not drawn as a curve.
     static bool isCurve(const ProblemSummary &problem)
     {
-        return problem.swept() &&
-               problem.groups.front().sweepValue != problem.groups.back().sweepValue;
+        return problem.swept() && problem.groups.front().sweepValue != problem.groups.back().sweepValue;
     }
 
     /// One series for each planner that has runs at these places.
@@ -147,7 +144,8 @@ private:
         figure.series =
             makeSeries(places, [&](const RunGroup &group) { return group.overSolved(measure.column); });
         const auto hasValue = [](const FigurePoint &point) { return point.value.has_value(); };
-        if (std::none_of(figure.series.begin(), figure.series.end(), [&](const FigureSeries &series)
+        if (std::none_of(figure.series.begin(), figure.series.end(),
+                         [&](const FigureSeries &series)
                          { return std::any_of(series.points.begin(), series.points.end(), hasValue); }))
             return false;
         if (measure.bound == nullptr)
@@ -156,7 +154,7 @@ private:
             if (const auto bound = medianBound(place.groups, measure.bound))
                 figure.bounds.push_back({place.at, *bound});
         if (!figure.bounds.empty())
-            figure.boundLabel = boundLabel(measure);
+            figure.boundLabel = "lower bound";
         return true;
     }
 
@@ -180,9 +178,8 @@ private:
         }
         const std::string prefix = problem.model + "-" + problem.problem + "-" +
                                    (problem.sweepVariable == "robots" ? "" : problem.sweepVariable + "-");
-        const std::string where =
-            fmt::format("{} ({}) against {}", oneLine(problem.problem), spaced(problem.model),
-                        spaced(problem.sweepVariable));
+        const std::string where = fmt::format("{} ({}) against {}", oneLine(problem.problem),
+                                              spaced(problem.model), spaced(problem.sweepVariable));
         bool anything = false;
         for (const Measure &measure : kMeasures)
         {
@@ -198,21 +195,26 @@ private:
                 "{} on {}: {}. Lines: median over the solved runs; bands: their quartiles; {} at each point. "
                 "Hollow markers: not every run was solved, the lower panel shows the share that was.{}",
                 measureName(measure), where, measure.of, runsAPoint(groups),
-                figure.bounds.empty() ? "" : " Dashed grey: lower bound, the median over the instances.");
+                figure.bounds.empty()
+                    ? std::string()
+                    : fmt::format(" Dotted grey: lower bound, {} (median over the instances).",
+                                  boundMeaning(measure)));
             result_.figures.push_back(std::move(figure));
         }
         if (!anything)
-            result_.complaints.push_back(fmt::format(
-                "{}: no run was solved, so there is no figure but that of success", oneLine(problem.problem)));
+            result_.complaints.push_back(
+                fmt::format("{}: no run was solved, so there is no figure but that of success",
+                            oneLine(problem.problem)));
 
         Figure success;
         success.kind = Figure::Kind::curves;
         success.isPercentage = true;
         success.name = names_.add(prefix + "success_rate");
         success.title = "Success rate on " + oneLine(problem.problem);
-        success.caption = fmt::format("Success rate on {}: share of the runs that ended with a valid solution "
-                                      "within the limits; {} at each point.",
-                                      where, runsAPoint(groups));
+        success.caption =
+            fmt::format("Success rate on {}: share of the runs that ended with a valid solution "
+                        "within the limits; {} at each point.",
+                        where, runsAPoint(groups));
         success.variable = variableTitle(problem.sweepVariable);
         success.measure = "Runs solved (%)";
         success.series = makeSeries(places,
@@ -269,11 +271,14 @@ private:
             figure.name = names_.add(model + "-" + measure.column);
             figure.title = measureName(measure) + ", " + spaced(model) + " problems";
             figure.caption = fmt::format(
-                "{} on the {} problems: {}. Markers: median over the solved runs; bars: their quartiles; {} for "
+                "{} on the {} problems: {}. Markers: median over the solved runs; bars: their quartiles; {} "
+                "for "
                 "each problem and planner. Hollow markers: not every run was solved, the panel on the right "
                 "shows the share that was; no marker on the left: none was solved.{}",
                 measureName(measure), spaced(model), measure.of, runsAPoint(groups),
-                figure.bounds.empty() ? "" : " Upright strokes: lower bound.");
+                figure.bounds.empty()
+                    ? std::string()
+                    : fmt::format(" Upright strokes: lower bound, {}.", boundMeaning(measure)));
             result_.figures.push_back(std::move(figure));
         }
         if (!anything)
@@ -298,6 +303,9 @@ std::string variableTitle(const std::string &variable)
     return title;
 }
 
-CampaignFigures campaignFigures(const ResultTable &results) { return Builder(results).build(); }
+CampaignFigures campaignFigures(const ResultTable &results)
+{
+    return Builder(results).build();
+}
 
 } // namespace mrpp

@@ -12,9 +12,9 @@ std::string figureCsv(const Figure &figure)
     const auto place = [&](double at)
     { return comparison ? figure.rows[static_cast<std::size_t>(at)] : formatNumber(at); };
     CsvTable table;
-    for (const std::string &name : {std::string("series"), comparison ? "problem" : figure.variable,
-                                    "median of " + figure.measure, std::string("q1"), std::string("q3"),
-                                    std::string("n"), std::string("solved"), std::string("runs")})
+    for (const std::string &name :
+         {std::string("series"), comparison ? "problem" : figure.variable, "median of " + figure.measure,
+          std::string("q1"), std::string("q3"), std::string("n"), std::string("solved"), std::string("runs")})
         table.cell(name);
     table.endRow();
     for (const FigureSeries &series : figure.series)

@@ -43,12 +43,13 @@ struct Figure
         comparison, ///< a measure of each problem, a row a problem
     };
     Kind kind = Kind::curves;
-    std::string name;    ///< file name without extension
-    std::string title;   ///< within the picture
-    std::string caption; ///< can stand alone
+    std::string name;     ///< file name without extension
+    std::string title;    ///< within the picture
+    std::string caption;  ///< can stand alone
     std::string variable; ///< title of the swept variable's axis
     std::string measure;  ///< title of the measure's axis: "Time (s)"
-    bool isPercentage = false; ///< the measure is a share in percent, so there is no panel of success beside it
+    bool isPercentage =
+        false; ///< the measure is a share in percent, so there is no panel of success beside it
     std::vector<std::string> rows; ///< problems of a comparison, from the top
     std::vector<FigureSeries> series;
     std::string boundLabel; ///< empty where there is no bound

@@ -26,20 +26,20 @@ using Blocks = std::vector<std::vector<Row>>; ///< lines are drawn through the r
 constexpr double kWidth = 16;
 constexpr double kTitleHeight = 0.95;
 constexpr double kAxisHeight = 1.35;
-constexpr double kLegendRow = 0.46;
-constexpr double kCharacter = 0.17; ///< of the 9 point font, on average
-constexpr std::size_t kLabelCharacters = 58;
+constexpr double kLegendRow = 0.43;
+constexpr double kCharacter = 0.195; ///< of the 9 point font, on average
+constexpr std::size_t kLabelCharacters = 50;
 constexpr std::size_t kRowCharacters = 34;
-constexpr std::size_t kTitleCharacters = 84;
+constexpr std::size_t kTitleCharacters = 72;
 
 /// Where the parts of a figure lie. Fractions count from the bottom left, as gnuplot's screen coordinates.
 struct Page
 {
     double height = 0;
-    double left = 0;        ///< of the main panel
-    double right = 0;       ///< of the main panel
-    double top = 0;         ///< of the main panel
-    double bottom = 0;      ///< of the main panel
+    double left = 0;         ///< of the main panel
+    double right = 0;        ///< of the main panel
+    double top = 0;          ///< of the main panel
+    double bottom = 0;       ///< of the main panel
     std::size_t columns = 1; ///< of the legend
 
     [[nodiscard]] double x(double centimetres) const { return centimetres / kWidth; }
@@ -125,12 +125,13 @@ private:
         }
         for (const FigureBound &bound : figure_.bounds)
             values.push_back(bound.value);
-        measure_ = figure_.isPercentage ? Axis{false, -4, 104, {{0, "0"}, {25, "25"}, {50, "50"}, {75, "75"}, {100, "100"}}}
-                                        : measureAxis(values);
+        measure_ = figure_.isPercentage
+                       ? Axis{false, -4, 104, {{0, "0"}, {25, "25"}, {50, "50"}, {75, "75"}, {100, "100"}}}
+                       : measureAxis(values);
         sweep_ = sweepAxis(std::move(places));
 
         const std::size_t entries = figure_.series.size() + (hasBounds() ? 1 : 0);
-        const double entryWidth = static_cast<double>(longest) * kCharacter + 1.6;
+        const double entryWidth = static_cast<double>(longest) * kCharacter + 1.9;
         page_.columns = std::clamp<std::size_t>(static_cast<std::size_t>(kWidth / entryWidth), 1, 4);
         const std::size_t legendRows = (entries + page_.columns - 1) / page_.columns;
         const double legend = static_cast<double>(legendRows) * kLegendRow + 0.25;
@@ -250,16 +251,21 @@ private:
         constexpr double kScreenResolution = 96;
         const auto pixels = [](double centimetres, double resolution)
         { return static_cast<int>(std::lround(centimetres / kInch * resolution)); };
+        // gnuplot's cairo terminals count 96 pixels of text an inch and 72 of everything else.
         const std::string scale = fmt::format("{:.4f}", kPrintResolution / 72);
+        const std::string fontScale = fmt::format("{:.4f}", kPrintResolution / 96);
         out_ << "if (format eq 'png') { set terminal pngcairo noenhanced size "
              << pixels(kWidth, kPrintResolution) << "," << pixels(page_.height, kPrintResolution)
-             << " font 'DejaVu Sans,9' fontscale " << scale << " linewidth " << scale << " pointscale "
+             << " font 'DejaVu Sans,9' fontscale " << fontScale << " linewidth " << scale << " pointscale "
              << scale << " }\n"
-             << "if (format eq 'pdf') { set terminal pdfcairo noenhanced size " << fmt::format("{:.2f}", kWidth)
-             << "cm," << fmt::format("{:.2f}", page_.height) << "cm font 'DejaVu Sans,9' }\n"
-             << "if (format eq 'svg') { set terminal svg noenhanced size " << pixels(kWidth, kScreenResolution)
-             << "," << pixels(page_.height, kScreenResolution)
-             << " font 'DejaVu Sans,12' background '#ffffff' }\n";
+             << "if (format eq 'pdf') { set terminal pdfcairo noenhanced size "
+             << fmt::format("{:.2f}", kWidth) << "cm," << fmt::format("{:.2f}", page_.height)
+             << "cm font 'DejaVu Sans,9' fontscale 0.75 }\n"
+             << "if (format eq 'svg') { set terminal svg noenhanced size "
+             << pixels(kWidth, kScreenResolution) << "," << pixels(page_.height, kScreenResolution)
+             << " font 'DejaVu Sans,12' background '#ffffff' }\n"
+             << "title_font = 'DejaVu Sans Bold,'.(format eq 'svg' ? '13.3' : '10')\n"
+             << "small_font = 'DejaVu Sans,'.(format eq 'svg' ? '10.6' : '8')\n";
     }
 
     void writePanel(double left, double right, double bottom, double top)
@@ -310,8 +316,8 @@ private:
     }
 
     /// Filled markers where every run was solved, hollow ones where only some were.
-    static void addMarkers(std::vector<std::string> &items, const std::string &data, const std::string &columns,
-                           const CurveStyle &style)
+    static void addMarkers(std::vector<std::string> &items, const std::string &data,
+                           const std::string &columns, const CurveStyle &style)
     {
         const auto add = [&](const char *condition, int marker, const std::string &ink)
         {
@@ -331,16 +337,17 @@ private:
         const double labelShift = 0.55;
         out_ << fmt::format("set label 1 measure_text at screen {:.5f},{:.5f} center rotate noenhanced\n",
                             page_.x(labelShift), page_.y((page_.top + page_.bottom) / 2))
-             << "set title title_text noenhanced font 'DejaVu Sans Bold,10' offset 0,-0.2\n";
+             << "set title title_text noenhanced font title_font offset 0,-0.2\n";
         if (!hasSuccessPanel())
             out_ << "set xlabel variable_text noenhanced\n";
         writeLegendPlace();
         std::vector<std::string> items;
         for (std::size_t i = 0; i < figure_.series.size() && !figure_.isPercentage; ++i)
             if (hasValue(figure_.series[i]))
-                items.push_back(fmt::format("$values_{} using 1:3:4 with filledcurves fs transparent solid 0.15 "
-                                            "noborder {} notitle",
-                                            i, color(curveStyle(figure_.series[i].style))));
+                items.push_back(
+                    fmt::format("$values_{} using 1:3:4 with filledcurves fs transparent solid 0.15 "
+                                "noborder {} notitle",
+                                i, color(curveStyle(figure_.series[i].style))));
         if (hasBounds())
         {
             items.emplace_back("$bounds using 1:2 with lines lw 1.2 dt (4,4) lc rgb '#606060' notitle");
@@ -352,14 +359,16 @@ private:
             const std::string data = fmt::format("$values_{}", i);
             if (hasValue(figure_.series[i]))
             {
-                items.push_back(fmt::format("{} using 1:($7==1?$2:NaN):3:4 with yerrorbars ps 0 lw 1 {} notitle",
-                                            data, color(style)));
+                items.push_back(
+                    fmt::format("{} using 1:($7==1?$2:NaN):3:4 with yerrorbars ps 0 lw 1 {} notitle", data,
+                                color(style)));
                 items.push_back(fmt::format("{} using 1:2 with lines lw 1.5 dt {} {} notitle", data,
                                             style.dashes, color(style)));
                 addMarkers(items, data, "1:({}?$2:NaN)", style);
             }
-            items.push_back(fmt::format("keyentry with linespoints pt {} ps 0.7 lw 1.5 dt {} {} title label_{}",
-                                        style.filledMarker, style.dashes, color(style), i));
+            items.push_back(
+                fmt::format("keyentry with linespoints pt {} ps 0.7 lw 1.5 dt {} {} title label_{}",
+                            style.filledMarker, style.dashes, color(style), i));
         }
         writeItems(items);
         if (hasSuccessPanel())
@@ -374,7 +383,8 @@ private:
         writePanel(page_.left, page_.right, bottom, top);
         writeAxis("x", sweep_);
         writeAxis("y", {false, -12, 112, {{0, "0"}, {50, "50"}, {100, "100"}}});
-        out_ << fmt::format("set label 1 'Solved (%)' at screen {:.5f},{:.5f} center rotate noenhanced font ',8'\n",
+        out_ << fmt::format("set label 1 'Solved (%)' at screen {:.5f},{:.5f} center rotate noenhanced font "
+                            "small_font\n",
                             page_.x(0.55), page_.y((top + bottom) / 2))
              << "unset title\nunset key\nset xlabel variable_text noenhanced\n";
         std::vector<std::string> items;
@@ -382,8 +392,9 @@ private:
         {
             const CurveStyle style = curveStyle(figure_.series[i].style);
             if (!figure_.series[i].points.empty())
-                items.push_back(fmt::format("$success_{} using 1:2 with linespoints pt {} ps 0.45 lw 1.2 dt {} {}",
-                                            i, style.filledMarker, style.dashes, color(style)));
+                items.push_back(
+                    fmt::format("$success_{} using 1:2 with linespoints pt {} ps 0.45 lw 1.2 dt {} {}", i,
+                                style.filledMarker, style.dashes, color(style)));
         }
         writeItems(items);
     }
@@ -392,9 +403,10 @@ private:
     {
         const auto rows = static_cast<double>(figure_.rows.size());
         for (std::size_t row = 1; row < figure_.rows.size(); row += 2)
-            out_ << fmt::format("set object {0} rectangle from graph 0, first {1} to graph 1, first {2} behind "
-                                "fc rgb '#f0f0f0' fs solid noborder\n",
-                                row, static_cast<double>(row) - 0.5, static_cast<double>(row) + 0.5);
+            out_ << fmt::format(
+                "set object {0} rectangle from graph 0, first {1} to graph 1, first {2} behind "
+                "fc rgb '#f0f0f0' fs solid noborder\n",
+                row, static_cast<double>(row) - 0.5, static_cast<double>(row) + 0.5);
         writePanel(page_.left, page_.right, page_.bottom, page_.top);
         writeAxis("x", measure_);
         out_ << "set yrange [" << rows - 0.5 << ":-0.5]\nset ytics (";
@@ -403,7 +415,7 @@ private:
         out_ << ") scale 0\n"
                 "set grid noytics\n"
                 "set xlabel measure_text noenhanced\n"
-                "set title title_text noenhanced font 'DejaVu Sans Bold,10' offset 0,-0.2\n";
+                "set title title_text noenhanced font title_font offset 0,-0.2\n";
         writeLegendPlace();
         std::vector<std::string> items;
         if (hasBounds())
@@ -417,8 +429,8 @@ private:
             const std::string data = fmt::format("$values_{}", i);
             if (hasValue(figure_.series[i]))
             {
-                items.push_back(fmt::format("{} using 2:1:3:4 with xerrorbars ps 0 lw 1 {} notitle", data,
-                                            color(style)));
+                items.push_back(
+                    fmt::format("{} using 2:1:3:4 with xerrorbars ps 0 lw 1 {} notitle", data, color(style)));
                 addMarkers(items, data, "({}?$2:NaN):1", style);
             }
             items.push_back(fmt::format("keyentry with points pt {} ps 0.7 {} title label_{}",
@@ -434,7 +446,8 @@ private:
         constexpr double kGap = 0.4;
         writePanel(page_.right + kGap, kWidth - 0.6, page_.bottom, page_.top);
         writeAxis("x", {false, -12, 112, {{0, "0"}, {50, "50"}, {100, "100"}}});
-        out_ << "set format y ''\nset ytics () scale 0\nset xlabel 'Solved (%)' noenhanced\nunset title\nunset key\n";
+        out_ << "set format y ''\nset ytics () scale 0\nset xlabel 'Solved (%)' noenhanced\nunset "
+                "title\nunset key\n";
         std::vector<std::string> items;
         for (std::size_t i = 0; i < figure_.series.size(); ++i)
         {
@@ -453,8 +466,8 @@ private:
         const int file = out_->handle();
         std::string text;
         std::array<char, 65536> buffer{};
-        for (ssize_t size = 0; (size = ::pread(file, buffer.data(), buffer.size(),
-                                               static_cast<off_t>(text.size()))) > 0;)
+        for (ssize_t size = 0;
+             (size = ::pread(file, buffer.data(), buffer.size(), static_cast<off_t>(text.size()))) > 0;)
             text.append(buffer.data(), static_cast<std::size_t>(size));
         return text;
     }
@@ -470,6 +483,9 @@ std::string gnuplotString(std::string_view text)
     return quoted + "'";
 }
 
-std::string gnuplotScript(const Figure &figure) { return ScriptWriter(figure).write(); }
+std::string gnuplotScript(const Figure &figure)
+{
+    return ScriptWriter(figure).write();
+}
 
 } // namespace mrpp

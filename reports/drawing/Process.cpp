@@ -135,8 +135,7 @@ ProcessResult runProcess(const std::vector<std::string> &arguments, const std::f
 
     const auto deadline = Clock::now() + limit;
     int status = 0;
-    result.timedOut =
-        !collect(source.number(), deadline, result.output) || !waitFor(child, deadline, status);
+    result.timedOut = !collect(source.number(), deadline, result.output) || !waitFor(child, deadline, status);
     if (result.timedOut)
     {
         ::kill(-child, SIGKILL);

@@ -61,9 +61,15 @@ std::string clean(std::string_view text, bool keepLines)
 
 } // namespace
 
-std::string oneLine(std::string_view text) { return clean(text, false); }
+std::string oneLine(std::string_view text)
+{
+    return clean(text, false);
+}
 
-std::string manyLines(std::string_view text) { return clean(text, true); }
+std::string manyLines(std::string_view text)
+{
+    return clean(text, true);
+}
 
 std::size_t characterCount(std::string_view text)
 {
@@ -85,7 +91,9 @@ std::string ellipsize(std::string_view text, std::size_t characters)
 
 std::string counted(std::size_t count, std::string_view noun)
 {
-    return std::to_string(count) + " " + std::string(noun) + (count == 1 ? "" : "s");
+    if (count == 1)
+        return "1 " + std::string(noun);
+    return std::to_string(count) + " " + (noun == "vertex" ? "vertices" : std::string(noun) + "s");
 }
 
 std::string spaced(std::string_view identifier)

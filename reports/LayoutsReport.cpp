@@ -1,0 +1,31 @@
+#include "reports/LayoutsReport.h"
+
+#include "reports/drawing/CampaignLayouts.h"
+
+namespace mrpp
+{
+
+std::vector<std::filesystem::path> LayoutsReport::write(const ResultTable &results, const Provenance &,
+                                                        const std::filesystem::path &folder) const
+{
+    const std::filesystem::path layouts = folder / "layouts";
+    std::vector<std::string> complaints;
+    std::vector<std::filesystem::path> files;
+    const auto add = [&files](const std::vector<std::filesystem::path> &more)
+    { files.insert(files.end(), more.begin(), more.end()); };
+    for (const LayoutPlan &plan : plannedLayouts(results))
+    {
+        try
+        {
+            add(writePicture(layouts, plan.name, drawLayout(results, plan).picture));
+        }
+        catch (const DrawingError &error)
+        {
+            complaints.push_back(plan.name + ": " + error.what());
+        }
+    }
+    add(writeComplaints(layouts, complaints));
+    return files;
+}
+
+} // namespace mrpp
