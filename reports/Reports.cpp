@@ -3,6 +3,7 @@
 #include "reports/ChartsReport.h"
 #include "reports/CsvReport.h"
 #include "reports/LayoutsReport.h"
+#include "reports/PdfReport.h"
 
 namespace mrpp
 {
@@ -15,6 +16,8 @@ void registerReports(Catalog &catalog)
                                       "figures of every sweep and comparison, with gnuplot scripts and data");
     catalog.reports.add<LayoutsReport>(
         "layouts", "pictures of the instances with starts, goals and routes, by Graphviz");
+    catalog.reports.add<PdfReport>("pdf",
+                                   "report.pdf: provenance, plan, tables, failures, every figure and layout");
 }
 
 } // namespace mrpp

@@ -28,7 +28,7 @@ constexpr double kTitleHeight = 0.95;
 constexpr double kAxisHeight = 1.35;
 constexpr double kLegendRow = 0.43;
 constexpr double kCharacter = 0.195; ///< of the 9 point font, on average
-constexpr std::size_t kLabelCharacters = 50;
+constexpr std::size_t kLabelCharacters = 48;
 constexpr std::size_t kRowCharacters = 34;
 constexpr std::size_t kTitleCharacters = 72;
 
@@ -137,7 +137,7 @@ private:
         const double legend = static_cast<double>(legendRows) * kLegendRow + 0.25;
         if (figure_.kind == Figure::Kind::curves)
         {
-            constexpr double kPanel = 7;
+            constexpr double kPanel = 6.6;
             constexpr double kSuccessPanel = 2.0; // with the gap above it
             page_.left = 2.4;
             page_.right = kWidth - 0.6;
@@ -297,7 +297,7 @@ private:
 
     void writeLegendPlace()
     {
-        out_ << fmt::format("set key at screen 0.5,{:.5f} center bottom horizontal Left reverse noenhanced "
+        out_ << fmt::format("set key at screen 0.04,{:.5f} left bottom horizontal Left reverse noenhanced "
                             "samplen 3 spacing 1.1 width 1 maxcols {}\n",
                             page_.y(0.15), page_.columns);
     }

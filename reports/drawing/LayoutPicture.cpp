@@ -95,7 +95,7 @@ public:
 
     Picture render(const std::string &title)
     {
-        drawing_.setDefault(GraphvizGraph::Kind::graph, "label", GraphvizGraph::escaped(title));
+        drawing_.setDefault(GraphvizGraph::Kind::graph, "label", GraphvizGraph::escaped("\n" + title));
         return drawing_.renderPinned(resolution());
     }
 
@@ -164,7 +164,7 @@ private:
         if (ending != kNoRobot)
         {
             tooltip += fmt::format(", goal of robot {}", ending);
-            label += fmt::format("{}→{}", label.empty() ? "" : "\\n", ending);
+            label += fmt::format("{}⚑{}", label.empty() ? "" : "\\n", ending);
             set("color", robotColor(ending));
             set("penwidth", fmt::format("{}", scale_.ring));
             if (starting == kNoRobot)

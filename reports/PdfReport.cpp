@@ -1,0 +1,202 @@
+#include "reports/PdfReport.h"
+
+#include "framework/support/Error.h"
+#include "framework/support/File.h"
+#include "reports/drawing/CampaignFigures.h"
+#include "reports/drawing/CampaignLayouts.h"
+#include "reports/drawing/FigureScript.h"
+#include "reports/drawing/Gnuplot.h"
+#include "reports/drawing/PdfFile.h"
+#include "reports/drawing/PdfPages.h"
+#include "reports/drawing/SummaryTables.h"
+#include "reports/drawing/Text.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace mrpp
+{
+
+namespace
+{
+
+constexpr double kFigureHeight = 640;      // points
+constexpr double kCurvesHeight = 290;      // points: two and their captions fill a page
+constexpr double kLayoutHeight = 560;      // points, of a layout that has the width for itself
+constexpr double kSmallLayoutHeight = 215; // points, of one beside another
+
+/// The figure as `charts` left it, if it shows these very results; else drawn now.
+std::string figurePdf(const Figure &figure, const std::filesystem::path &figures)
+{
+    try
+    {
+        if (readFile(figures / (figure.name + ".gp")) == gnuplotScript(figure))
+        {
+            std::string pdf = readFile(figures / (figure.name + ".pdf"));
+            if (pageSize(pdf).first > 0)
+                return pdf;
+        }
+    }
+    catch (const FileError &)
+    {
+        // not there yet
+    }
+    catch (const DrawingError &)
+    {
+        // there, but no PDF
+    }
+    return drawFigure(figure).pdf;
+}
+
+void addTitlePage(PdfPages &pages, const ResultTable &results, const Provenance &provenance)
+{
+    const auto &records = results.records();
+    const auto solved = static_cast<std::size_t>(
+        std::count_if(records.begin(), records.end(), [](const RunRecord &run) { return run.solved(); }));
+    std::string runs = fmt::format("{} finished of {} planned: {} solved, {} not", records.size(),
+                                   results.plannedRuns(), solved, records.size() - solved);
+    if (records.size() < results.plannedRuns())
+        runs += "; the campaign is not finished";
+
+    pages.title(results.plan().campaign, "Multi-robot path planning on graphs: benchmark report");
+    const auto orUnknown = [](const std::string &text)
+    { return text.empty() ? std::string("unknown") : text; };
+    pages.facts({
+        {"Runs", runs},
+        {"Repetitions", std::to_string(results.plan().repetitions)},
+        {"Motion rule", std::string(toString(results.plan().motion))},
+        {"Limits of a run",
+         fmt::format("{:g} s, {:g} MB", results.plan().limits.time, results.plan().limits.memory)},
+        {"Seed", std::to_string(results.plan().seed)},
+        {"Plan file",
+         orUnknown(provenance.planFile) +
+             (provenance.planFingerprint.empty() ? "" : ", fingerprint " + provenance.planFingerprint)},
+        {"Started", orUnknown(provenance.started)},
+        {"Finished", provenance.finished.empty() ? "not yet" : provenance.finished},
+        {"Program", fmt::format("mrppsim {}{}", provenance.version,
+                                provenance.revision.empty() ? "" : ", revision " + provenance.revision)},
+        {"Built with",
+         fmt::format("{}, {}", orUnknown(provenance.compiler), orUnknown(provenance.buildType))},
+        {"Machine",
+         fmt::format("{}: {}, {}, {:.1f} GB", orUnknown(provenance.host), orUnknown(provenance.cpu),
+                     counted(static_cast<std::size_t>(std::max<std::int64_t>(provenance.cores, 0)), "core"),
+                     provenance.memory / 1000)},
+        {"System", orUnknown(provenance.system)},
+        {"Libraries", fmt::format("{}", fmt::join(provenance.libraries, ", "))},
+    });
+    if (records.empty())
+    {
+        pages.paragraph("No run has finished yet.");
+        return;
+    }
+    const SummaryTable planners = plannerTable(records);
+    pages.section(planners.title);
+    pages.table(planners.columns, planners.rows);
+}
+
+void addTables(PdfPages &pages, const ResultTable &results)
+{
+    constexpr std::size_t kFailureRows = 80;
+    if (results.records().empty())
+        return;
+    pages.chapter("Results");
+    pages.paragraph(
+        "Every cost is the median over the solved runs alone; how many these are stands beside it. Bold: the "
+        "best median among the planners that solved the most runs at that point. A dash: no run was "
+        "solved, or the measure was not taken. Quartiles are in summary.csv, single runs in results.csv.");
+    for (const SummaryTable &table : summaryTables(results.records()))
+    {
+        pages.section(table.title);
+        pages.table(table.columns, table.rows);
+    }
+    const SummaryTable failures = failureTable(results.records(), kFailureRows);
+    pages.chapter("Failures");
+    if (failures.rows.empty())
+        pages.paragraph("Every run ended with a valid solution.");
+    else
+        pages.table(failures.columns, failures.rows);
+}
+
+void addFigures(PdfPages &pages, const ResultTable &results, const std::filesystem::path &figures)
+{
+    const auto [drawn, complaints] = campaignFigures(results);
+    if (drawn.empty() && complaints.empty())
+        return;
+    pages.chapter("Figures");
+    for (const std::string &complaint : complaints)
+        pages.paragraph(complaint + ".");
+    for (const Figure &figure : drawn)
+    {
+        PdfDrawing drawing{{}, {}, figure.caption};
+        try
+        {
+            drawing.pdf = figurePdf(figure, figures);
+        }
+        catch (const DrawingError &error)
+        {
+            drawing.missing = error.what();
+        }
+        constexpr std::size_t kShortLegend = 6;
+        const bool isCompact = figure.kind == Figure::Kind::curves && figure.series.size() <= kShortLegend;
+        pages.drawings({drawing}, 1, isCompact ? kCurvesHeight : kFigureHeight);
+    }
+}
+
+void addLayouts(PdfPages &pages, const ResultTable &results)
+{
+    constexpr std::int64_t kSmallGraph = 300; // two of them fit beside each other
+    const std::vector<LayoutPlan> plans = plannedLayouts(results);
+    if (plans.empty())
+        return;
+    pages.chapter("Instances");
+    std::vector<PdfDrawing> pair;
+    const auto flush = [&]
+    {
+        if (!pair.empty())
+            pages.drawings(pair, 2, kSmallLayoutHeight);
+        pair.clear();
+    };
+    for (const LayoutPlan &plan : plans)
+    {
+        PdfDrawing drawing;
+        try
+        {
+            Layout layout = drawLayout(results, plan);
+            drawing = {std::move(layout.picture.pdf), {}, std::move(layout.caption)};
+        }
+        catch (const DrawingError &error)
+        {
+            drawing = {{}, error.what(), plan.title + "."};
+        }
+        if (plan.runs.front()->vertices.value_or(kSmallGraph + 1) > kSmallGraph)
+        {
+            flush();
+            pages.drawings({drawing}, 1, kLayoutHeight);
+            continue;
+        }
+        pair.push_back(std::move(drawing));
+        if (pair.size() == 2)
+            flush();
+    }
+    flush();
+}
+
+} // namespace
+
+std::vector<std::filesystem::path> PdfReport::write(const ResultTable &results, const Provenance &provenance,
+                                                    const std::filesystem::path &folder) const
+{
+    const std::filesystem::path file = folder / "report.pdf";
+    PdfPages pages(results.plan().campaign,
+                   fmt::format("{} · mrppsim {}", results.plan().campaign, provenance.version));
+    addTitlePage(pages, results, provenance);
+    addTables(pages, results);
+    addFigures(pages, results, folder / "figures");
+    addLayouts(pages, results);
+    pages.chapter("Plan");
+    pages.verbatim(results.plan().text);
+    writeFile(file, pages.finish(provenance.finished));
+    return {file};
+}
+
+} // namespace mrpp

@@ -1,0 +1,416 @@
+#include "reports/drawing/PdfPages.h"
+
+#include "reports/drawing/CairoCanvas.h"
+#include "reports/drawing/PdfFile.h"
+#include "reports/drawing/Picture.h"
+#include "reports/drawing/Text.h"
+
+#include <algorithm>
+#include <cairo-pdf.h>
+#include <fmt/format.h>
+#include <list>
+#include <numeric>
+#include <pango/pangocairo.h>
+
+namespace mrpp
+{
+
+namespace
+{
+
+// Points of 1/72 inch.
+constexpr double kPageWidth = 595.276;
+constexpr double kPageHeight = 841.89;
+constexpr double kMargin = 56;
+constexpr double kTextWidth = kPageWidth - 2 * kMargin;
+constexpr double kBottom = kPageHeight - kMargin - 12;
+constexpr double kCellGap = 7;
+
+struct LayoutDeleter
+{
+    void operator()(PangoLayout *layout) const { g_object_unref(layout); }
+};
+using TextLayout = std::unique_ptr<PangoLayout, LayoutDeleter>;
+
+struct TextStyle
+{
+    const char *font = "DejaVu Sans 9";
+    double width = kTextWidth;
+    PangoAlignment alignment = PANGO_ALIGN_LEFT;
+    int lines = 0; ///< at most so many, the last ending in "…"; 0: any number
+    bool wrapsAnywhere = false;
+};
+
+} // namespace
+
+struct PdfPages::State
+{
+    std::string bytes;
+    std::string title;
+    std::string footer;
+    CairoSurface surface;
+    CairoContext context;
+    std::size_t page = 0; ///< from 0
+    double y = kMargin;
+    int chapterOutline = CAIRO_PDF_OUTLINE_ROOT;
+    std::size_t drawings = 0;
+    std::list<std::string> sources; ///< the placed drawings' bytes
+    std::vector<PdfPlacement> placements;
+
+    [[nodiscard]] cairo_t *cairo() const { return context.get(); }
+
+    [[nodiscard]] TextLayout layout(const std::string &text, const TextStyle &style) const
+    {
+        TextLayout made(pango_cairo_create_layout(cairo()));
+        constexpr double kPointsAnInch = 72; // one unit of the page is a point
+        pango_cairo_context_set_resolution(pango_layout_get_context(made.get()), kPointsAnInch);
+        pango_context_set_round_glyph_positions(pango_layout_get_context(made.get()), FALSE);
+        cairo_font_options_t *unhinted = cairo_font_options_create(); // letters stand as the font says
+        cairo_font_options_set_hint_style(unhinted, CAIRO_HINT_STYLE_NONE);
+        cairo_font_options_set_hint_metrics(unhinted, CAIRO_HINT_METRICS_OFF);
+        pango_cairo_context_set_font_options(pango_layout_get_context(made.get()), unhinted);
+        cairo_font_options_destroy(unhinted);
+        pango_layout_context_changed(made.get());
+        PangoAttrList *attributes = pango_attr_list_new(); // names are not hyphenated
+        pango_attr_list_insert(attributes, pango_attr_insert_hyphens_new(FALSE));
+        pango_layout_set_attributes(made.get(), attributes);
+        pango_attr_list_unref(attributes);
+        PangoFontDescription *font = pango_font_description_from_string(style.font);
+        pango_layout_set_font_description(made.get(), font);
+        pango_font_description_free(font);
+        pango_layout_set_width(made.get(), static_cast<int>(style.width * PANGO_SCALE));
+        pango_layout_set_wrap(made.get(), style.wrapsAnywhere ? PANGO_WRAP_CHAR : PANGO_WRAP_WORD_CHAR);
+        pango_layout_set_alignment(made.get(), style.alignment);
+        if (style.lines > 0)
+        {
+            pango_layout_set_height(made.get(), -style.lines);
+            pango_layout_set_ellipsize(made.get(), PANGO_ELLIPSIZE_END);
+        }
+        pango_layout_set_text(made.get(), text.data(), static_cast<int>(text.size()));
+        return made;
+    }
+
+    [[nodiscard]] static double heightOf(const TextLayout &text)
+    {
+        PangoRectangle size;
+        pango_layout_get_extents(text.get(), nullptr, &size);
+        return static_cast<double>(size.height) / PANGO_SCALE;
+    }
+
+    void show(const TextLayout &text, double x, double top) const
+    {
+        cairo_move_to(cairo(), x, top);
+        pango_cairo_show_layout(cairo(), text.get());
+    }
+
+    void setColor(double red, double green, double blue) const
+    {
+        cairo_set_source_rgb(cairo(), red, green, blue);
+    }
+    void setBlack() const { setColor(0.1, 0.1, 0.1); }
+    void setGrey() const { setColor(0.42, 0.42, 0.42); }
+
+    void line(double top, double width, double grey) const
+    {
+        setColor(grey, grey, grey);
+        cairo_set_line_width(cairo(), width);
+        cairo_move_to(cairo(), kMargin, top);
+        cairo_line_to(cairo(), kMargin + kTextWidth, top);
+        cairo_stroke(cairo());
+        setBlack();
+    }
+
+    void drawFooter() const
+    {
+        setGrey();
+        const double top = kPageHeight - kMargin + 8;
+        show(layout(footer, {"DejaVu Sans 7.5", kTextWidth * 0.8, PANGO_ALIGN_LEFT, 1}), kMargin, top);
+        show(layout(std::to_string(page + 1), {"DejaVu Sans 7.5", kTextWidth * 0.15, PANGO_ALIGN_RIGHT}),
+             kMargin + kTextWidth * 0.85, top);
+        setBlack();
+    }
+
+    void newPage()
+    {
+        drawFooter();
+        cairo_show_page(cairo());
+        ++page;
+        y = kMargin;
+    }
+
+    /// A new page unless so many points are left on this one.
+    void need(double height)
+    {
+        if (y + height > kBottom && y > kMargin)
+            newPage();
+    }
+
+    int outline(int parent, const std::string &text) const
+    {
+        const std::string target = fmt::format("page={} pos=[{:.1f} {:.1f}]", page + 1, kMargin, y);
+        return cairo_pdf_surface_add_outline(surface.get(), parent, text.c_str(), target.c_str(),
+                                             static_cast<cairo_pdf_outline_flags_t>(0));
+    }
+
+    void text(const std::string &words, const TextStyle &style, double after)
+    {
+        const TextLayout made = layout(words, style);
+        const double height = heightOf(made);
+        need(height);
+        show(made, kMargin, y);
+        y += height + after;
+    }
+};
+
+namespace
+{
+
+/// A table row laid out.
+struct LaidRow
+{
+    std::vector<TextLayout> cells;
+    double height = 0;
+};
+
+} // namespace
+
+PdfPages::PdfPages(std::string title, std::string footer) : state_(std::make_unique<State>())
+{
+    State &s = *state_;
+    s.title = oneLine(title);
+    s.footer = oneLine(footer);
+    s.surface.reset(cairo_pdf_surface_create_for_stream(appendToString, &s.bytes, kPageWidth, kPageHeight));
+    s.context.reset(cairo_create(s.surface.get()));
+    s.setBlack();
+}
+
+PdfPages::~PdfPages() = default;
+
+void PdfPages::title(const std::string &text, const std::string &subtitle)
+{
+    State &s = *state_;
+    s.outline(CAIRO_PDF_OUTLINE_ROOT, oneLine(text));
+    s.setGrey();
+    s.text(oneLine(subtitle), {"DejaVu Sans 11"}, 6);
+    s.setBlack();
+    s.text(oneLine(text), {"DejaVu Sans Bold 26", kTextWidth, PANGO_ALIGN_LEFT, 4}, 10);
+    s.line(s.y, 1.2, 0.1);
+    s.y += 16;
+}
+
+void PdfPages::chapter(const std::string &text)
+{
+    State &s = *state_;
+    if (s.y > kMargin)
+        s.newPage();
+    s.chapterOutline = s.outline(CAIRO_PDF_OUTLINE_ROOT, oneLine(text));
+    s.text(oneLine(text), {"DejaVu Sans Bold 18", kTextWidth, PANGO_ALIGN_LEFT, 2}, 10);
+}
+
+void PdfPages::section(const std::string &text)
+{
+    State &s = *state_;
+    constexpr double kWithWhatFollows = 90;
+    s.need(kWithWhatFollows);
+    s.y += s.y > kMargin ? 8 : 0;
+    s.outline(s.chapterOutline, oneLine(text));
+    s.text(oneLine(text), {"DejaVu Sans Bold 11", kTextWidth, PANGO_ALIGN_LEFT, 2}, 5);
+}
+
+void PdfPages::paragraph(const std::string &text)
+{
+    state_->text(manyLines(text), {"DejaVu Sans 9"}, 8);
+}
+
+void PdfPages::facts(const std::vector<std::pair<std::string, std::string>> &pairs)
+{
+    State &s = *state_;
+    constexpr double kNames = 105;
+    for (const auto &[name, value] : pairs)
+    {
+        const TextLayout left = s.layout(oneLine(name), {"DejaVu Sans 9", kNames - kCellGap});
+        const TextLayout right =
+            s.layout(oneLine(value), {"DejaVu Sans 9", kTextWidth - kNames, PANGO_ALIGN_LEFT, 6});
+        const double height = std::max(State::heightOf(left), State::heightOf(right));
+        s.need(height);
+        s.setGrey();
+        s.show(left, kMargin, s.y);
+        s.setBlack();
+        s.show(right, kMargin + kNames, s.y);
+        s.y += height + 2.5;
+    }
+    s.y += 10;
+}
+
+void PdfPages::verbatim(const std::string &text)
+{
+    State &s = *state_;
+    const std::string clean = manyLines(text);
+    for (std::size_t begin = 0; begin < clean.size();)
+    {
+        const std::size_t end = std::min(clean.find('\n', begin), clean.size());
+        const std::string line = clean.substr(begin, end - begin);
+        s.text(line.empty() ? " " : line, {"DejaVu Sans Mono 7.5", kTextWidth, PANGO_ALIGN_LEFT, 0, true},
+               0.5);
+        begin = end + 1;
+    }
+    s.y += 8;
+}
+
+void PdfPages::table(const std::vector<PdfTableColumn> &columns,
+                     const std::vector<std::vector<PdfTableCell>> &rows)
+{
+    State &s = *state_;
+    constexpr int kLinesACell = 2;
+    const double shares = std::accumulate(columns.begin(), columns.end(), 0.0,
+                                          [](double sum, const PdfTableColumn &c) { return sum + c.share; });
+    std::vector<double> lefts;
+    std::vector<double> widths;
+    double left = kMargin;
+    for (const PdfTableColumn &column : columns)
+    {
+        lefts.push_back(left);
+        widths.push_back(kTextWidth * column.share / shares - kCellGap);
+        left += kTextWidth * column.share / shares;
+    }
+    const auto lay = [&](std::size_t column, const std::string &text, const char *font, int lines)
+    {
+        return s.layout(
+            oneLine(text),
+            {font, widths[column], columns[column].isRight ? PANGO_ALIGN_RIGHT : PANGO_ALIGN_LEFT, lines});
+    };
+
+    const auto drawHeading = [&]
+    {
+        LaidRow heading;
+        for (std::size_t c = 0; c < columns.size(); ++c)
+        {
+            heading.cells.push_back(lay(c, columns[c].title, "DejaVu Sans Bold 6.5", 3));
+            heading.height = std::max(heading.height, State::heightOf(heading.cells.back()));
+        }
+        s.line(s.y, 0.9, 0.1);
+        s.y += 2;
+        for (std::size_t c = 0; c < columns.size(); ++c)
+            s.show(heading.cells[c], lefts[c], s.y + heading.height - State::heightOf(heading.cells[c]));
+        s.y += heading.height + 2;
+        s.line(s.y, 0.5, 0.1);
+        s.y += 2;
+    };
+
+    constexpr double kHeadingAndRows = 60;
+    s.need(kHeadingAndRows);
+    drawHeading();
+    const std::string *group = nullptr;
+    for (const std::vector<PdfTableCell> &row : rows)
+    {
+        const bool continuesGroup = columns.size() > 2 && group != nullptr && *group == row.front().text;
+        LaidRow laid;
+        for (std::size_t c = 0; c < columns.size(); ++c)
+        {
+            const bool isBold = row[c].emphasis == PdfTableCell::Emphasis::best;
+            laid.cells.push_back(lay(c, row[c].text, isBold ? "DejaVu Sans Bold 7.5" : "DejaVu Sans 7.5",
+                                     columns[c].isRight ? 1 : kLinesACell));
+            if (c > 0 || !continuesGroup)
+                laid.height = std::max(laid.height, State::heightOf(laid.cells.back()));
+        }
+        const bool beginsPage = s.y + laid.height > kBottom;
+        if (beginsPage)
+        {
+            s.line(s.y, 0.5, 0.1);
+            s.newPage();
+            drawHeading();
+            laid.height = std::max(laid.height, State::heightOf(laid.cells.front()));
+        }
+        else if (group != nullptr && !continuesGroup)
+        {
+            s.line(s.y, 0.4, 0.75);
+            s.y += 1.5;
+        }
+        group = &row.front().text;
+        for (std::size_t c = 0; c < columns.size(); ++c)
+        {
+            if (c == 0 && continuesGroup && !beginsPage)
+                continue;
+            if (row[c].emphasis == PdfTableCell::Emphasis::warning)
+                s.setColor(0.75, 0.05, 0.05);
+            s.show(laid.cells[c], lefts[c], s.y);
+            s.setBlack();
+        }
+        s.y += laid.height + 1.5;
+    }
+    s.line(s.y, 0.9, 0.1);
+    s.y += 12;
+}
+
+void PdfPages::drawings(const std::vector<PdfDrawing> &row, std::size_t columns, double height)
+{
+    State &s = *state_;
+    constexpr double kGutter = 16;
+    constexpr double kAboveCaption = 5;
+    const auto cells = static_cast<double>(columns);
+    const double width = (kTextWidth - (cells - 1) * kGutter) / cells;
+
+    struct Cell
+    {
+        double width = 0;
+        double height = 0;
+        TextLayout caption;
+    };
+    std::vector<Cell> laid;
+    double tallestDrawing = 0;
+    double tallestCaption = 0;
+    for (const PdfDrawing &drawing : row)
+    {
+        ++s.drawings;
+        Cell cell;
+        const std::string words =
+            fmt::format("Figure {}. {}", s.drawings, oneLine(drawing.caption)) +
+            (drawing.missing.empty() ? "" : " [Not drawn: " + oneLine(drawing.missing) + "]");
+        cell.caption = s.layout(words, {"DejaVu Sans 8", width, PANGO_ALIGN_LEFT, 14});
+        tallestCaption = std::max(tallestCaption, State::heightOf(cell.caption));
+        laid.push_back(std::move(cell));
+    }
+    const double room = std::min(height, kBottom - kMargin - tallestCaption - kAboveCaption);
+    for (std::size_t i = 0; i < row.size(); ++i)
+    {
+        if (!row[i].missing.empty())
+            continue;
+        const auto [pageWidth, pageHeight] = pageSize(row[i].pdf);
+        const double scale = std::min({1.0, width / pageWidth, room / pageHeight});
+        laid[i].width = pageWidth * scale;
+        laid[i].height = pageHeight * scale;
+        tallestDrawing = std::max(tallestDrawing, laid[i].height);
+    }
+    s.need(tallestDrawing + kAboveCaption + tallestCaption);
+    double left = kMargin;
+    for (std::size_t i = 0; i < row.size(); ++i)
+    {
+        if (row[i].missing.empty())
+        {
+            s.sources.push_back(row[i].pdf);
+            const double top = s.y + (tallestDrawing - laid[i].height) / 2;
+            s.placements.push_back({s.page,
+                                    {left + (width - laid[i].width) / 2, kPageHeight - top - laid[i].height,
+                                     laid[i].width, laid[i].height},
+                                    &s.sources.back()});
+        }
+        s.show(laid[i].caption, left, s.y + tallestDrawing + kAboveCaption);
+        left += width + kGutter;
+    }
+    s.y += tallestDrawing + kAboveCaption + tallestCaption + 16;
+}
+
+std::string PdfPages::finish(const std::string &created)
+{
+    State &s = *state_;
+    s.drawFooter();
+    cairo_show_page(s.cairo());
+    const cairo_status_t status = cairo_status(s.cairo());
+    s.context.reset();
+    cairo_surface_finish(s.surface.get());
+    if (status != CAIRO_STATUS_SUCCESS || cairo_surface_status(s.surface.get()) != CAIRO_STATUS_SUCCESS)
+        throw DrawingError(std::string("cairo failed: ") + cairo_status_to_string(status));
+    return placeDrawings(s.bytes, s.placements, {s.title, created});
+}
+
+} // namespace mrpp
