@@ -1,5 +1,7 @@
 #include "algorithms/PushAndSwap.h"
 
+#include "framework/analysis/BreadthFirstSearch.h"
+
 #include <algorithm>
 #include <numeric>
 #include <string>
@@ -31,16 +33,18 @@ public:
     {
         // Each robot may be sent back on the way a few times, on average, before this order is given up.
         constexpr std::size_t kSetbacksPerRobot = 4;
-        std::size_t setbacksLeft = 50 + kSetbacksPerRobot * instance_.robotCount();
+        const std::size_t mostSetbacks = 50 + kSetbacksPerRobot * instance_.robotCount();
         while (const auto robot = nextRobot())
         {
             if (!travel(*robot))
                 return ptc_() ? PlannerStatus::timeout : PlannerStatus::gave_up;
             arrived_[*robot] = 1;
             resolveAll();
-            if (setbacks_ > setbacksLeft)
+            if (setbacks_ > mostSetbacks)
             {
-                reason_ = "robots that had arrived were pushed away again and again";
+                reason_ = "robots that had arrived were pushed away again and again; the last was robot " +
+                          std::to_string(lastSetback_) + ", whose goal is vertex " +
+                          std::to_string(instance_.goals[lastSetback_]);
                 return PlannerStatus::gave_up;
             }
         }
@@ -49,7 +53,6 @@ public:
 
     [[nodiscard]] const std::string &reason() const { return reason_; }
     [[nodiscard]] Solution takeSolution() { return board_.takeSolution(); }
-    [[nodiscard]] std::size_t moveCount() const { return board_.moves().size(); }
 
 private:
     [[nodiscard]] bool atGoal(Robot r) const { return board_.position(r) == instance_.goals[r]; }
@@ -138,6 +141,7 @@ private:
         arrived_[s] = 0;
         urgent_.push_back(s);
         ++setbacks_;
+        lastSetback_ = s;
     }
 
     /// *Resolve*: robots that had arrived and were swapped one vertex back return as soon as their goals are
@@ -193,7 +197,8 @@ private:
     std::vector<Robot> displaced_; ///< arrived, then swapped off their goals; a stack
     std::vector<Robot> urgent_;    ///< to be planned before the others; a stack
     std::size_t next_ = 0;         ///< in order_
-    std::size_t setbacks_ = 0;
+    std::size_t setbacks_ = 0;     ///< how often an arrived robot had to travel again
+    Robot lastSetback_ = 0;
     Robot lastBlocker_ = kNoRobot;
     std::string reason_;
 };
@@ -255,22 +260,12 @@ std::vector<Robot> PushAndSwap::priorities(std::int64_t attempt) const
     }
     else if (order_ == "far_first" && !order.empty())
     {
-        StampedSearch search(graph().vertexCount());
-        std::vector<std::uint32_t> depth(graph().vertexCount(), static_cast<std::uint32_t>(-1));
-        const Vertex root = center(graph(), *landmarks_);
-        search.begin();
-        search.visit(root, kNoVertex);
-        while (!search.done())
-        {
-            const Vertex v = search.next();
-            depth[v] = search.parent(v) == kNoVertex ? 0 : depth[search.parent(v)] + 1;
-            for (const Vertex w : graph().neighbors(v))
-                if (!search.visited(w))
-                    search.visit(w, v);
-        }
-        std::stable_sort(order.begin(), order.end(),
-                         [&](Robot a, Robot b)
-                         { return depth[instance().goals[a]] > depth[instance().goals[b]]; });
+        BreadthFirstSearch search(graph());
+        search.run(center(graph(), *landmarks_));
+        std::stable_sort(
+            order.begin(), order.end(),
+            [&](Robot a, Robot b)
+            { return search.distance(instance().goals[a]) > search.distance(instance().goals[b]); });
     }
     return order;
 }

@@ -1,5 +1,7 @@
 #include "algorithms/search/Landmarks.h"
 
+#include "framework/analysis/BreadthFirstSearch.h"
+
 #include <algorithm>
 #include <limits>
 
@@ -10,40 +12,19 @@ Landmarks::Landmarks(const Graph &graph) : distances_(graph.vertexCount() * kCou
 {
     if (graph.vertexCount() == 0)
         return;
-    constexpr std::uint32_t kFar = std::numeric_limits<std::uint32_t>::max();
     constexpr std::uint32_t kCutOff = std::numeric_limits<std::uint16_t>::max();
-    std::vector<std::uint32_t> distance(graph.vertexCount());
-    std::vector<std::uint32_t> nearest(graph.vertexCount(), kFar); // to the landmarks so far
-    std::vector<Vertex> queue;
-    const auto search = [&](Vertex root)
-    {
-        std::fill(distance.begin(), distance.end(), kFar);
-        queue.assign(1, root);
-        distance[root] = 0;
-        for (std::size_t head = 0; head < queue.size(); ++head)
-        {
-            const Vertex v = queue[head];
-            for (const Vertex w : graph.neighbors(v))
-            {
-                if (distance[w] == kFar)
-                {
-                    distance[w] = distance[v] + 1;
-                    queue.push_back(w);
-                }
-            }
-        }
-    };
-
-    search(0);
-    Vertex landmark = queue.back();
+    BreadthFirstSearch search(graph);
+    std::vector<std::uint32_t> nearest(graph.vertexCount(), kUnreachable); // to the landmarks so far
+    search.run(0);
+    Vertex landmark = search.order().back();
     for (std::size_t l = 0; l < kCount; ++l)
     {
-        search(landmark);
+        search.run(landmark);
         for (Vertex v = 0; v < graph.vertexCount(); ++v)
         {
             distances_[std::size_t{v} * kCount + l] =
-                static_cast<std::uint16_t>(std::min(distance[v], kCutOff));
-            nearest[v] = std::min(nearest[v], distance[v]);
+                static_cast<std::uint16_t>(std::min(search.distance(v), kCutOff));
+            nearest[v] = std::min(nearest[v], search.distance(v));
         }
         // A vertex of another component is infinitely far: every component gets a landmark while there are
         // any.

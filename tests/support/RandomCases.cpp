@@ -1,5 +1,7 @@
 #include "tests/support/RandomCases.h"
 
+#include "framework/Problem.h"
+
 #include <algorithm>
 #include <cassert>
 #include <numeric>
@@ -204,6 +206,33 @@ SolvedCase randomSolvedCase(std::shared_ptr<const Graph> graph, std::size_t robo
     while (solution.pathLength() < moves && walkers.wander(solution))
         continue;
     return {walkers.instance(), std::move(solution)};
+}
+
+SolvedCase randomWalks(std::shared_ptr<const Graph> graph, std::size_t robots, std::size_t moves, Seed seed)
+{
+    Random random(seed);
+    Instance instance = randomInstance(std::move(graph), robots, seed);
+    std::vector<Vertex> positions = instance.starts;
+    std::vector<char> occupied(instance.graph->vertexCount(), 0);
+    for (const Vertex v : positions)
+        occupied[v] = 1;
+    Solution solution;
+    solution.reserve(moves);
+    while (solution.pathLength() < moves)
+    {
+        const auto robot = static_cast<Robot>(random.below(robots));
+        const Vertex from = positions[robot];
+        const auto around = instance.graph->neighbors(from);
+        const Vertex to = around[random.below(around.size())];
+        if (occupied[to] != 0)
+            continue;
+        occupied[from] = 0;
+        occupied[to] = 1;
+        positions[robot] = to;
+        solution.append({robot, from, to});
+    }
+    instance.goals = std::move(positions);
+    return {std::move(instance), std::move(solution)};
 }
 
 SolvedCase randomSolvedCaseWithRotations(std::shared_ptr<const Graph> graph, std::size_t robots,

@@ -40,7 +40,12 @@ struct ScheduledCase
 [[nodiscard]] SolvedCase randomSolvedCase(std::shared_ptr<const Graph> graph, std::size_t robots,
                                           std::size_t moves, Seed seed);
 
-/// The same with about every third action a rotation, where one is found.
+/// Exactly `moves` legal pebble moves of robots chosen by chance, for long solutions: O(1) a move on a board
+/// that is not nearly full. \pre robots < vertices, and the graph has edges
+[[nodiscard]] SolvedCase randomWalks(std::shared_ptr<const Graph> graph, std::size_t robots,
+                                     std::size_t moves, Seed seed);
+
+/// As randomSolvedCase(), with about every third action a rotation, where one is found.
 [[nodiscard]] SolvedCase randomSolvedCaseWithRotations(std::shared_ptr<const Graph> graph, std::size_t robots,
                                                        std::size_t actions, Seed seed);
 

@@ -1,0 +1,129 @@
+#include "algorithms/search/PathFinder.h"
+
+#include "framework/analysis/BreadthFirstSearch.h"
+#include "framework/support/Random.h"
+#include "tests/support/RandomCases.h"
+
+#include <gtest/gtest.h>
+#include <optional>
+
+namespace mrpp
+{
+namespace
+{
+
+std::vector<std::uint32_t> distancesFrom(const Graph &graph, Vertex root)
+{
+    constexpr auto kFar = static_cast<std::uint32_t>(-1);
+    std::vector<std::uint32_t> distances(graph.vertexCount(), kFar);
+    std::vector<Vertex> queue = {root};
+    distances[root] = 0;
+    for (std::size_t head = 0; head < queue.size(); ++head)
+        for (const Vertex w : graph.neighbors(queue[head]))
+            if (distances[w] == kFar)
+            {
+                distances[w] = distances[queue[head]] + 1;
+                queue.push_back(w);
+            }
+    return distances;
+}
+
+/// Cheapest costs by repeated relaxation.
+std::optional<std::uint64_t> cheapest(const Graph &graph, Vertex from, Vertex to,
+                                      const std::vector<PathFinder::Cost> &prices)
+{
+    constexpr auto kFar = static_cast<std::uint64_t>(-1);
+    std::vector<std::uint64_t> costs(graph.vertexCount(), kFar);
+    costs[from] = 0;
+    for (bool changed = true; changed;)
+    {
+        changed = false;
+        for (Vertex v = 0; v < graph.vertexCount(); ++v)
+            for (const Vertex w : graph.neighbors(v))
+                if (costs[v] != kFar && prices[w] != PathFinder::kImpassable &&
+                    costs[v] + prices[w] < costs[w])
+                {
+                    costs[w] = costs[v] + prices[w];
+                    changed = true;
+                }
+    }
+    return costs[to] == kFar ? std::nullopt : std::optional(costs[to]);
+}
+
+TEST(Landmarks, NeverOverestimateADistance)
+{
+    for (Seed seed = 1; seed <= 30; ++seed)
+    {
+        const auto graph = test::randomConnectedGraph(5 + 3 * seed, seed, seed);
+        const Landmarks landmarks(*graph);
+        for (Vertex v = 0; v < graph->vertexCount(); ++v)
+        {
+            const auto distances = distancesFrom(*graph, v);
+            for (Vertex w = 0; w < graph->vertexCount(); ++w)
+                EXPECT_LE(landmarks.lowerBound(v, w), distances[w]);
+        }
+    }
+}
+
+TEST(Landmarks, StayTrueOnAPathLongerThanTheirNumbers)
+{
+    constexpr Vertex kLength = 200'000;
+    std::vector<Graph::Edge> edges;
+    for (Vertex v = 0; v + 1 < kLength; ++v)
+        edges.push_back({v, v + 1});
+    const Landmarks landmarks(*Graph::fromEdges(kLength, edges));
+    for (const auto &[a, b] : std::initializer_list<std::pair<Vertex, Vertex>>{
+             {0, 1}, {0, 199'999}, {100'000, 100'007}, {65'534, 65'537}, {150'000, 199'999}})
+        EXPECT_LE(landmarks.lowerBound(a, b), b - a);
+    EXPECT_EQ(landmarks.lowerBound(10, 30), 20U);
+}
+
+TEST(Landmarks, ServeAnEmptyGraphAndSeveralComponents)
+{
+    const Landmarks none(*Graph::fromEdges(0, std::initializer_list<std::pair<Vertex, Vertex>>{}));
+    const auto two = Graph::fromEdges(5, {{0, 1}, {2, 3}, {3, 4}});
+    const Landmarks landmarks(*two);
+    EXPECT_EQ(landmarks.lowerBound(2, 4), 2U);
+    EXPECT_LE(landmarks.lowerBound(0, 1), 1U);
+}
+
+TEST(PathFinder, FindsCheapestPathsAmongPricesAndWalls)
+{
+    Random random(7);
+    for (Seed seed = 1; seed <= 60; ++seed)
+    {
+        const auto graph = test::randomConnectedGraph(4 + seed, seed / 2, seed);
+        const Landmarks landmarks(*graph);
+        PathFinder finder(*graph, landmarks);
+        std::vector<PathFinder::Cost> prices(graph->vertexCount());
+        for (auto &price : prices)
+        {
+            const auto kind = random.below(4);
+            price = kind == 0   ? PathFinder::kMaxEnterCost
+                    : kind == 1 ? PathFinder::kImpassable
+                                : PathFinder::kStep + static_cast<PathFinder::Cost>(kind == 2);
+        }
+        for (int query = 0; query < 20; ++query)
+        {
+            const auto from = static_cast<Vertex>(random.below(graph->vertexCount()));
+            const auto to = static_cast<Vertex>(random.below(graph->vertexCount()));
+            const auto &path = finder.find(from, to, [&](Vertex v) { return prices[v]; });
+            const auto expected = cheapest(*graph, from, to, prices);
+            ASSERT_EQ(path.empty(), !expected.has_value());
+            if (path.empty())
+                continue;
+            EXPECT_EQ(path.front(), from);
+            EXPECT_EQ(path.back(), to);
+            std::uint64_t cost = 0;
+            for (std::size_t i = 1; i < path.size(); ++i)
+            {
+                ASSERT_TRUE(graph->hasEdge(path[i - 1], path[i]));
+                cost += prices[path[i]];
+            }
+            EXPECT_EQ(cost, *expected);
+        }
+    }
+}
+
+} // namespace
+} // namespace mrpp
