@@ -6,8 +6,10 @@
 #include "problems/formats/MovingAiScenario.h"
 #include "problems/formats/SolutionCsv.h"
 
+#include <algorithm>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
 
 namespace mrpp
 {
@@ -332,6 +334,53 @@ TEST(MalformedFile, HugeNestingIsRefusedWithoutACrash)
     for (std::size_t i = 0; i < depth; ++i)
         foreign += "</x:y>";
     EXPECT_EQ(parseGraphMl(foreign + "</graphml>", "deep").graph->vertexCount(), 1);
+}
+
+const std::vector<std::pair<Kind, std::string>> kGoodFiles = {
+    {Kind::map, kMap},
+    {Kind::scenario, "version 1\n0\tm.map\t6\t4\t0\t0\t3\t0\t3\n0 my map 6 4 1 0 2 0 1.5\n"},
+    {Kind::graphMl, graphMl("<node id=\"n2\"><data key=\"c\">1 2 3</data></node>"
+                            "<edge source=\"n0\" target=\"n1\"><data key=\"w\">2</data></edge>")},
+    {Kind::instance, "graph = //g.xml\nagent: start = 0, goal = 1\nagent: start = 1, goal = 2\n"},
+    {Kind::solution, "step,robot,from,to\n0,0,1,2\n1,0,2,1\n"},
+};
+
+/// Whatever happens to a file, it is read or refused at a place within it (or at the line that is missing
+/// behind it), and nothing else.
+RC_GTEST_PROP(DamagedFile, IsReadOrRefused, ())
+{
+    auto [kind, text] = *rc::gen::elementOf(kGoodFiles);
+    const auto damages = *rc::gen::inRange(1, 4);
+    for (int i = 0; i < damages && !text.empty(); ++i)
+    {
+        const auto at = *rc::gen::inRange<std::size_t>(0, text.size());
+        switch (*rc::gen::inRange(0, 4))
+        {
+        case 0:
+            text.resize(at);
+            break;
+        case 1:
+            text[at] = *rc::gen::arbitrary<char>();
+            break;
+        case 2:
+            text.erase(at, *rc::gen::inRange<std::size_t>(1, 9));
+            break;
+        default:
+            text.insert(at, text.substr(*rc::gen::inRange<std::size_t>(0, text.size()), 9));
+        }
+    }
+    try
+    {
+        read(kind, text);
+    }
+    catch (const ParseError &error)
+    {
+        const auto lines = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')) + 1;
+        RC_ASSERT(error.where().line >= 1U);
+        RC_ASSERT(error.where().line <= lines + 1);
+        RC_ASSERT(error.where().column >= 1U);
+        RC_ASSERT(error.where().column <= text.size() + 1);
+    }
 }
 
 } // namespace
