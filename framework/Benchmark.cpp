@@ -207,7 +207,7 @@ private:
 Benchmark::Benchmark(BenchmarkPlan plan, const Catalog &catalog) : plan_(std::move(plan)), catalog_(catalog)
 {}
 
-Benchmark::Summary Benchmark::benchmark(const Request &request, std::stop_token stop)
+Benchmark::Summary Benchmark::benchmark(const Request &request, const std::stop_token &stop)
 {
     const std::int64_t jobs = request.jobs.value_or(plan_.execution.jobs);
     checkRequest(request, jobs);

@@ -71,7 +71,7 @@ public:
     /// Throws InputError before anything is written, and FileError where the folder cannot be used (or
     /// another process is running a campaign in it). What an event throws ends the campaign and is thrown
     /// again here.
-    Summary benchmark(const Request &request, std::stop_token stop);
+    Summary benchmark(const Request &request, const std::stop_token &stop);
 
 private:
     BenchmarkPlan plan_;

@@ -34,7 +34,7 @@ public:
     /// Carries one run out. Whatever the planner does, a record comes back: a planner's exception is a
     /// `crash`, a wrong solution `invalid`. May be called from several threads at once. Throws InputError
     /// where the instance cannot be made.
-    [[nodiscard]] virtual RunResult execute(const RunSpec &spec, std::stop_token stop) = 0;
+    [[nodiscard]] virtual RunResult execute(const RunSpec &spec, const std::stop_token &stop) = 0;
 };
 
 } // namespace mrpp

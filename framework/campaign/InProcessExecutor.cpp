@@ -9,7 +9,7 @@ InProcessExecutor::InProcessExecutor(const BenchmarkPlan &plan, const Catalog &c
       graphs_(static_cast<std::size_t>(jobs) + 1), instances_(static_cast<std::size_t>(jobs) + 1)
 {}
 
-RunResult InProcessExecutor::execute(const RunSpec &spec, std::stop_token stop)
+RunResult InProcessExecutor::execute(const RunSpec &spec, const std::stop_token &stop)
 {
     const auto prepared = instance(spec);
     std::vector<NamedOptimizer> optimizers;
@@ -25,7 +25,7 @@ RunResult InProcessExecutor::execute(const RunSpec &spec, std::stop_token stop)
     settings.limits = plan_.limits;
     settings.motion = plan_.motion;
     settings.measureMemory = jobs_ == 1;
-    RunResult result = runPlanner(*planner, *prepared, optimizers, settings, std::move(stop));
+    RunResult result = runPlanner(*planner, *prepared, optimizers, settings, stop);
     fillIdentity(result.record, plan_, spec);
     return result;
 }

@@ -26,7 +26,7 @@ public:
     InProcessExecutor(const BenchmarkPlan &plan, const Catalog &catalog, std::int64_t jobs,
                       PreRunEvent preRun = {});
 
-    [[nodiscard]] RunResult execute(const RunSpec &spec, std::stop_token stop) override;
+    [[nodiscard]] RunResult execute(const RunSpec &spec, const std::stop_token &stop) override;
 
 private:
     [[nodiscard]] std::shared_ptr<const Graph> graph(const RunSpec &spec);

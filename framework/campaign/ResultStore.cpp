@@ -210,7 +210,7 @@ void ResultStore::describe(const BenchmarkPlan &plan, const Provenance &provenan
     {
         std::string settings = "planner = " + planner.kind + ";";
         for (const auto &[name, value] : planner.settings)
-            settings += name + " = " + value + ";";
+            settings.append(name).append(" = ").append(value).append(";");
         database_->plannerSettings[planner.name] = settings;
     }
 }

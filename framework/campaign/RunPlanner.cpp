@@ -7,6 +7,7 @@
 
 #include <cassert>
 #include <cmath>
+#include <fmt/core.h>
 #include <new>
 
 namespace mrpp
@@ -150,20 +151,20 @@ void optimize(RunResult &result, MotionRule rule, std::span<const NamedOptimizer
     record.optimizationTime = 0;
     for (const auto &[name, optimizer] : optimizers)
     {
-        const std::string who = "optimizer '" + name + "' ";
+        const std::string who = "optimizer '" + name + "'";
         const std::size_t before = current.pathLength();
         const Stopwatch watch;
-        guarded(record, who,
+        guarded(record, who + " ",
                 [&, &improver = *optimizer]
                 { current = improver.improve(instance, std::move(current), ptc); });
         *record.optimizationTime += watch.seconds();
         if (record.status != PlannerStatus::solved)
             return;
         if (const std::string wrong = complaint(instance, current, rule, true); !wrong.empty())
-            return end(record, PlannerStatus::invalid, who + "broke the solution: " + wrong);
+            return end(record, PlannerStatus::invalid, fmt::format("{} broke the solution: {}", who, wrong));
         if (current.pathLength() > before)
             return end(record, PlannerStatus::invalid,
-                       who + "lengthened the solution from " + std::to_string(before) + " to " +
+                       who + " lengthened the solution from " + std::to_string(before) + " to " +
                            std::to_string(current.pathLength()) + " moves");
     }
     result.optimized = std::move(current);
@@ -215,7 +216,7 @@ PreparedInstance prepare(std::shared_ptr<const Instance> instance)
 
 RunResult runPlanner(Planner &planner, const PreparedInstance &prepared,
                      std::span<const NamedOptimizer> optimizers, const RunSettings &settings,
-                     std::stop_token stop)
+                     const std::stop_token &stop)
 {
     RunResult result;
     result.instance = prepared.instance;

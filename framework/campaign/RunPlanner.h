@@ -67,6 +67,6 @@ struct RunSettings
 /// which run it is: the caller fills that in.
 [[nodiscard]] RunResult runPlanner(Planner &planner, const PreparedInstance &prepared,
                                    std::span<const NamedOptimizer> optimizers, const RunSettings &settings,
-                                   std::stop_token stop);
+                                   const std::stop_token &stop);
 
 } // namespace mrpp

@@ -25,7 +25,7 @@ PreparedInstance question()
 }
 
 RunResult run(const std::string &planner, const std::vector<std::string> &optimizers = {},
-              RunSettings settings = {}, std::stop_token stop = {})
+              const RunSettings &settings = {}, const std::stop_token &stop = {})
 {
     const Catalog catalog = fixtures::catalog();
     const auto instance = catalog.planners.create(planner);
@@ -34,7 +34,7 @@ RunResult run(const std::string &planner, const std::vector<std::string> &optimi
     std::vector<NamedOptimizer> chain;
     for (const std::string &name : optimizers)
         chain.push_back({name, catalog.optimizers.create(name)});
-    return runPlanner(*instance, question(), chain, settings, std::move(stop));
+    return runPlanner(*instance, question(), chain, settings, stop);
 }
 
 void expectNoLengths(const RunRecord &record)
