@@ -5,8 +5,7 @@
 ///
 /// Every move starts as early as its robot's own moves and the earlier visits of its target allow: the
 /// longest path in the graph of these precedences (the same idea as W. Hönig et al., "Multi-agent path
-/// finding with kinematic constraints", ICAPS 2016, calls a temporal plan graph). O(moves + robots +
-/// vertices).
+/// finding with kinematic constraints", ICAPS 2016, calls a temporal plan graph). O(moves + robots + V).
 
 #include "framework/model/Instance.h"
 #include "framework/model/MotionRule.h"
@@ -26,7 +25,8 @@ namespace mrpp
 [[nodiscard]] std::vector<std::uint32_t> moveSteps(const Instance &instance, const Solution &solution,
                                                    MotionRule rule);
 
-/// The condensed schedule itself; the moves of a step are ordered by robot.
+/// The condensed schedule itself; the moves of a step are ordered by robot, which costs a factor of the
+/// logarithm of their number. At most 36 bytes a move, solution and schedule included.
 [[nodiscard]] Schedule condense(const Instance &instance, const Solution &solution, MotionRule rule);
 
 } // namespace mrpp
