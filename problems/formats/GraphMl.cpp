@@ -2,13 +2,11 @@
 
 #include "framework/support/Config.h"
 #include "framework/support/File.h"
-#include "framework/support/Suggestion.h"
+#include "problems/formats/GraphMlData.h"
 #include "problems/formats/TextReader.h"
-#include "problems/formats/XmlDocument.h"
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <charconv>
 #include <unordered_map>
 
@@ -17,12 +15,6 @@ namespace mrpp
 
 namespace
 {
-
-bool equalIgnoringCase(std::string_view a, std::string_view b)
-{
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                      [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
-}
 
 /// "1 vertex" or "3 vertices", to begin a warning with.
 std::string counted(std::size_t count, const char *one, const char *many)
@@ -33,123 +25,53 @@ std::string counted(std::size_t count, const char *one, const char *many)
 class Reader
 {
 public:
-    Reader(std::string_view text, const std::string &file) : document_(text, file) {}
+    Reader(std::string_view text, const std::string &file)
+        : document_(text, file), data_(checkedRoot(document_))
+    {}
 
     GraphMl read()
     {
-        const pugi::xml_node root = document_.root();
-        if (localName(root) != "graphml")
-            document_.fail(root, "the outermost element is <" + std::string(root.name()) +
-                                     ">, but GraphML begins with <graphml>");
-        prefix_ = namespacePrefix(root);
-        readKeys(root);
-        const pugi::xml_node graph = onlyGraph(root);
+        const pugi::xml_node graph = onlyGraph();
         readDirection(graph);
         readNodes(graph);
         readEdges(graph);
         warnAboutIds();
         GraphMl result;
-        result.graph = Graph::fromEdges(nodes_.size(), edges_, takeCoordinates(), yAxis_);
+        result.graph = Graph::fromEdges(nodes_.size(), edges_, takeCoordinates(), data_.yAxis(graph));
         warnAboutEdges(*result.graph);
         result.warnings = std::move(warnings_);
         return result;
     }
 
 private:
-    struct Key
+    static const XmlDocument &checkedRoot(const XmlDocument &document)
     {
-        pugi::xml_node element;
-        std::string_view id;
-        std::string_view name;
-        std::string_view scope; ///< node, edge, graph, all, …
-        std::string_view defaultValue;
-    };
-
-    [[nodiscard]] bool isOurs(pugi::xml_node element) const
-    {
-        return element.type() == pugi::node_element && namespacePrefix(element) == prefix_;
+        const pugi::xml_node root = document.root();
+        if (localName(root) != "graphml")
+            document.fail(root, "the outermost element is <" + std::string(root.name()) +
+                                    ">, but GraphML begins with <graphml>");
+        return document;
     }
 
-    void readKeys(pugi::xml_node root)
+    [[nodiscard]] pugi::xml_node onlyGraph() const
     {
-        for (const pugi::xml_node child : root.children())
-        {
-            if (!isOurs(child) || localName(child) != "key")
-                continue;
-            document_.checkAttributes(child);
-            Key key{child,
-                    document_.required(child, "id"),
-                    child.attribute("attr.name").value(),
-                    child.attribute("for").value(),
-                    {}};
-            for (const pugi::xml_node part : child.children())
-                if (isOurs(part) && localName(part) == "default")
-                    key.defaultValue = trimmed(part.child_value());
-            if (findKey(key.id) != nullptr)
-                document_.fail(child, "a key " + inQuotes(key.id) + " is declared already");
-            keys_.push_back(key);
-        }
-        constexpr std::array pointNames = {"Coordinate", "coords", "pos", "position"};
-        constexpr std::array weightNames = {"Weight", "length", "distance", "cost"};
-        point_ = findNamed("node", pointNames);
-        axes_ = {findNamed("node", std::array{"x"}), findNamed("node", std::array{"y"}),
-                 findNamed("node", std::array{"z"})};
-        weight_ = findNamed("edge", weightNames);
-        axis_ = findNamed("graph", std::array{"YAxis"});
-        for (const Key &key : keys_)
-            if (equalIgnoringCase(key.element.attribute("yfiles.type").value(), "nodegraphics"))
-                geometry_ = &key;
-    }
-
-    [[nodiscard]] const Key *findKey(std::string_view id) const
-    {
-        const auto found =
-            std::find_if(keys_.begin(), keys_.end(), [id](const Key &key) { return key.id == id; });
-        return found == keys_.end() ? nullptr : &*found;
-    }
-
-    template <class Names>
-    [[nodiscard]] const Key *findNamed(std::string_view scope, const Names &names) const
-    {
-        for (const char *name : names)
-            for (const Key &key : keys_)
-                if ((key.scope == scope || key.scope == "all" || key.scope.empty()) &&
-                    equalIgnoringCase(key.name, name))
-                    return &key;
-        return nullptr;
-    }
-
-    [[nodiscard]] pugi::xml_node onlyGraph(pugi::xml_node root) const
-    {
+        const pugi::xml_node root = document_.root();
         pugi::xml_node graph;
         for (const pugi::xml_node child : root.children())
         {
-            if (!isOurs(child))
+            if (!data_.isOurs(child))
                 continue;
-            if (localName(child) == "graph")
-            {
-                if (graph)
-                    document_.fail(child, "a second <graph>; a file holds one");
-                graph = child;
-            }
-            else
-            {
-                checkName(child, {"key", "data", "desc"});
-            }
+            data_.checkName(child, {"graph", "key", "data", "desc"});
+            if (localName(child) != "graph")
+                continue;
+            if (graph)
+                document_.fail(child, "a second <graph>; a file holds one");
+            graph = child;
         }
         if (!graph)
             document_.fail(root, "the <graphml> has no <graph>");
         document_.checkAttributes(graph);
         return graph;
-    }
-
-    void checkName(pugi::xml_node element, std::initializer_list<const char *> known) const
-    {
-        const std::vector<std::string> names(known.begin(), known.end());
-        if (std::find(names.begin(), names.end(), localName(element)) == names.end())
-            document_.fail(element, "<" + std::string(element.name()) + "> does not belong into a <" +
-                                        std::string(element.parent().name()) + ">" +
-                                        suggestion(localName(element), names));
     }
 
     void readDirection(pugi::xml_node graph)
@@ -159,58 +81,21 @@ private:
             document_.fail(graph,
                            "edgedefault is " + inQuotes(direction) + "; expected 'undirected' or 'directed'");
         directed_ = direction == "directed";
-        const std::string_view axis = axis_ == nullptr ? "" : dataOf(graph, *axis_);
-        if (!axis.empty() && axis != "up" && axis != "down")
-            document_.fail(graph, "the graph's YAxis is " + inQuotes(axis) + "; expected 'up' or 'down'");
-        if (axis == "down")
-            yAxis_ = YAxis::down;
-    }
-
-    /// The text that an element gives to a key, or the key's default; empty where there is neither.
-    [[nodiscard]] std::string_view dataOf(pugi::xml_node element, const Key &key) const
-    {
-        const pugi::xml_node data = dataElement(element, key);
-        return data ? trimmed(data.child_value()) : key.defaultValue;
-    }
-
-    [[nodiscard]] pugi::xml_node dataElement(pugi::xml_node element, const Key &key) const
-    {
-        for (const pugi::xml_node child : element.children())
-            if (isOurs(child) && localName(child) == "data" && key.id == child.attribute("key").value())
-                return child;
-        return {};
-    }
-
-    /// Refuses data of keys that nobody declares and elements that would be lost.
-    void checkContent(pugi::xml_node element) const
-    {
-        for (const pugi::xml_node child : element.children())
-        {
-            if (!isOurs(child))
-                continue;
-            if (localName(child) == "graph")
-                document_.fail(child, "a graph within a node; a file holds one graph (ungroup it before "
-                                      "exporting)");
-            checkName(child, {"data", "desc", "port"});
-            if (localName(child) == "data" && findKey(document_.required(child, "key")) == nullptr)
-                document_.fail(child,
-                               "there is no <key> with the id " + inQuotes(child.attribute("key").value()));
-        }
     }
 
     void readNodes(pugi::xml_node graph)
     {
         for (const pugi::xml_node child : graph.children())
         {
-            if (!isOurs(child))
+            if (!data_.isOurs(child))
                 continue;
             if (localName(child) == "hyperedge")
                 document_.fail(child, "a <hyperedge> joins more than two vertices; only <edge> is known");
-            checkName(child, {"node", "edge", "data", "desc"});
+            data_.checkName(child, {"node", "edge", "data", "desc"});
             if (localName(child) != "node")
                 continue;
             document_.checkAttributes(child);
-            checkContent(child);
+            data_.checkContent(child);
             const std::string_view id = document_.required(child, "id");
             const auto [known, isNew] = ids_.emplace(id, static_cast<Vertex>(nodes_.size()));
             if (!isNew)
@@ -218,117 +103,23 @@ private:
                                           std::to_string(document_.where(nodes_[known->second]).line) +
                                           " already");
             nodes_.push_back(child);
-            readCoordinate(child);
+            if (const auto point = data_.coordinate(child))
+                coordinates_.push_back(*point);
         }
-    }
-
-    void readCoordinate(pugi::xml_node node)
-    {
-        Point point;
-        if (point_ != nullptr)
-        {
-            const std::string_view text = dataOf(node, *point_);
-            if (text.empty())
-                return;
-            point = parsePoint(node, text);
-        }
-        else if (axes_[0] != nullptr && axes_[1] != nullptr)
-        {
-            const std::array slots = {&point.x, &point.y, &point.z};
-            for (std::size_t i = 0; i < slots.size(); ++i)
-            {
-                const std::string_view text = axes_[i] == nullptr ? "" : dataOf(node, *axes_[i]);
-                if (text.empty() && i < 2)
-                    return;
-                if (!text.empty())
-                    *slots[i] = number(node, axes_[i], text, "coordinate");
-            }
-        }
-        else if (geometry_ == nullptr || !readGeometry(node, point))
-        {
-            return;
-        }
-        coordinates_.push_back(point);
-    }
-
-    [[nodiscard]] Point parsePoint(pugi::xml_node node, std::string_view text) const
-    {
-        constexpr std::string_view separators = " \t\r\n,;()[]";
-        std::array<double, 3> numbers{};
-        std::size_t count = 0;
-        for (std::string_view rest = text;;)
-        {
-            rest.remove_prefix(std::min(rest.find_first_not_of(separators), rest.size()));
-            if (rest.empty())
-                break;
-            const std::size_t end = std::min(rest.find_first_of(separators), rest.size());
-            const auto value = parseNumber(rest.substr(0, end));
-            if (!value || count == numbers.size())
-                count = numbers.size() + 1;
-            if (count > numbers.size())
-                break;
-            numbers[count++] = *value;
-            rest.remove_prefix(end);
-        }
-        if (count < 2 || count > 3)
-            document_.fail(placeOf(node, *point_),
-                           inQuotes(text) +
-                               " is no coordinate; expected two or three numbers, as in '0.5 2 0'");
-        return {numbers[0], numbers[1], numbers[2]};
-    }
-
-    /// yEd keeps the upper left corner and the size of the box that it draws; y grows downwards.
-    bool readGeometry(pugi::xml_node node, Point &point)
-    {
-        for (const pugi::xml_node shape : dataElement(node, *geometry_).children())
-        {
-            for (const pugi::xml_node part : shape.children())
-            {
-                if (localName(part) != "Geometry")
-                    continue;
-                const auto read = [&](const char *name)
-                { return number(part, nullptr, document_.required(part, name), name); };
-                point = {read("x") + read("width") / 2, read("y") + read("height") / 2, 0};
-                yAxis_ = YAxis::down;
-                return true;
-            }
-        }
-        return false;
-    }
-
-    /// The data element of that key, or the key itself where its default is to blame.
-    [[nodiscard]] pugi::xml_node placeOf(pugi::xml_node element, const Key &key) const
-    {
-        const pugi::xml_node data = dataElement(element, key);
-        return data ? data : key.element;
-    }
-
-    [[nodiscard]] double number(pugi::xml_node element, const Key *key, std::string_view text,
-                                const char *what) const
-    {
-        const auto value = parseNumber(text);
-        if (!value)
-            document_.fail(key == nullptr ? element : placeOf(element, *key),
-                           inQuotes(text) + " is no number, but the " + what + " must be one");
-        return *value;
     }
 
     void readEdges(pugi::xml_node graph)
     {
         for (const pugi::xml_node child : graph.children())
         {
-            if (!isOurs(child) || localName(child) != "edge")
+            if (!data_.isOurs(child) || localName(child) != "edge")
                 continue;
             document_.checkAttributes(child);
-            checkContent(child);
-            Graph::Edge edge{endOf(child, "source"), endOf(child, "target"), 1};
-            if (weight_ != nullptr)
-                if (const std::string_view text = dataOf(child, *weight_); !text.empty())
-                    edge.weight = number(child, weight_, text, "weight");
+            data_.checkContent(child);
+            edges_.push_back({endOf(child, "source"), endOf(child, "target"), data_.weight(child)});
             const std::string_view own = child.attribute("directed").value();
             if (own.empty() ? directed_ : own == "true" || own == "1")
-                arcs_.push_back({edge.a, edge.b});
-            edges_.push_back(edge);
+                arcs_.push_back({edges_.back().a, edges_.back().b});
         }
     }
 
@@ -399,15 +190,8 @@ private:
     }
 
     XmlDocument document_;
-    std::string_view prefix_;
-    std::vector<Key> keys_;
-    const Key *point_ = nullptr;
-    std::array<const Key *, 3> axes_{};
-    const Key *geometry_ = nullptr;
-    const Key *weight_ = nullptr;
-    const Key *axis_ = nullptr;
+    GraphMlData data_;
     bool directed_ = false;
-    YAxis yAxis_ = YAxis::up;
     std::vector<pugi::xml_node> nodes_;
     std::unordered_map<std::string_view, Vertex> ids_;
     std::vector<Point> coordinates_;

@@ -241,6 +241,17 @@ const std::vector<Malformed> kFiles = {
      "<node id=\"a\"/><node id=\"b\"/><edge source=\"a\" target=\"b\"/></graph></graphml>",
      2, 1, "'x' is no number"},
 
+    {"GraphMlAxisIsAWord", Kind::graphMl,
+     "<graphml>\n<key id=\"k\" for=\"graph\" attr.name=\"YAxis\"/>\n<graph>\n<data "
+     "key=\"k\">left</data></graph></graphml>",
+     4, 1, "the graph's YAxis is 'left'"},
+    {"GraphMlGeometryIsAWord", Kind::graphMl,
+     "<graphml>\n<key id=\"k\" for=\"node\" yfiles.type=\"nodegraphics\"/>\n<graph><node id=\"a\"><data "
+     "key=\"k\">"
+     "<y:S>\n <y:Geometry x=\"left\" y=\"0\" width=\"1\" "
+     "height=\"1\"/></y:S></data></node></graph></graphml>",
+     4, 2, "'left' is no number, but the x must be one"},
+
     // Instances, on a path of three vertices
     {"InstanceEmpty", Kind::instance, "\n\n", 1, 1, "the file is empty"},
     {"InstanceUnknownLine", Kind::instance, "graph = g.xml\nrobot: start = 0, goal = 1\n", 2, 1,
