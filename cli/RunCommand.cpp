@@ -7,6 +7,8 @@
 #include "framework/Benchmark.h"
 #include "yaml/PlanReader.h"
 
+#include <fmt/format.h>
+
 #include <cstdlib>
 #include <iostream>
 #include <set>
@@ -51,21 +53,23 @@ ExitCode dryRun(const BenchmarkPlan &plan, const std::filesystem::path &folder)
     return ExitCode::done;
 }
 
-/// Says what may make the campaign's times less than honest.
-void warn(const BenchmarkPlan &plan, std::int64_t jobs)
+/// What may make the campaign's times less than honest; a line each. Asked before the campaign adds its own
+/// load.
+std::string warnings(const BenchmarkPlan &plan, std::int64_t jobs)
 {
+    std::string text;
     if (plan.execution.isolation == "process")
-        std::cerr
-            << "note: this version runs every planner inside mrppsim itself; a planner that crashes hard "
-               "ends the campaign (finished runs are kept, the same command goes on)\n";
+        text = "note: this version runs every planner inside mrppsim itself; one that crashes hard ends the "
+               "campaign (finished runs are kept, the same command goes on)\n";
     const auto cores = static_cast<std::int64_t>(std::thread::hardware_concurrency());
     double load = 0;
     if (cores > 0 && jobs > cores)
-        std::cerr << "warning: " << jobs << " jobs share " << cores << " cores; times will be too long\n";
-    else if (cores > 0 && ::getloadavg(&load, 1) == 1 &&
-             load + static_cast<double>(jobs) > static_cast<double>(cores) + 1)
-        std::cerr << "warning: other programs keep this machine busy (load " << load << " on " << cores
-                  << " cores); times may be too long\n";
+        text += fmt::format("warning: {} jobs share {} cores; times will be too long\n", jobs, cores);
+    else if (cores > 0 && ::getloadavg(&load, 1) == 1 && load > static_cast<double>(cores - jobs) + 1)
+        text += fmt::format("warning: other programs keep this machine busy (load {:.1f} on {} cores); times "
+                            "may be too long\n",
+                            load, cores);
+    return text;
 }
 
 void sayHowToGoOn(const RunArguments &arguments, const Benchmark::Summary &summary,
@@ -124,9 +128,11 @@ ExitCode run(const RunArguments &arguments, const Catalog &catalog)
     if (arguments.dryRun)
         return dryRun(plan, folder);
 
-    warn(plan, arguments.jobs.value_or(plan.execution.jobs));
+    const std::string caveats = warnings(plan, arguments.jobs.value_or(plan.execution.jobs));
     Benchmark benchmark(std::move(plan), catalog);
     const Benchmark::Summary summary = runCampaign(benchmark, arguments, folder);
+    if (summary.finished > 0)
+        std::cerr << caveats;
     if (summary.interrupted)
     {
         sayHowToGoOn(arguments, summary, folder);

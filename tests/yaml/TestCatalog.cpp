@@ -85,7 +85,7 @@ private:
 class Walker final : public Planner
 {
 public:
-    Walker() : Planner({.citation = "none"})
+    Walker() : Planner({.citation = "none", .completeFor = "nothing"})
     {
         declareParam("pace", pace_, "1:10", "vertices at once");
         declareParam("order", order_, "near_first,far_first", "who goes first");
@@ -100,7 +100,7 @@ private:
 class Runner final : public Planner
 {
 public:
-    Runner() : Planner({.citation = "none"}) {}
+    Runner() : Planner({.citation = "none", .completeFor = "nothing"}) {}
     PlannerStatus solve(const TerminationCondition &) override { return PlannerStatus::gave_up; }
 };
 
