@@ -43,7 +43,7 @@ ExitCode dryRun(const BenchmarkPlan &plan, const std::filesystem::path &folder)
         if (planner.name != planner.kind)
             line += ", " + planner.kind;
         for (const auto &[name, value] : planner.settings)
-            line += ", " + name + "=" + value;
+            line.append(", ").append(name).append("=").append(value);
         std::cout << "planner " << oneLine(line) << '\n';
     }
     std::set<std::string> printed;

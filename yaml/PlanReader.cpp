@@ -282,7 +282,7 @@ std::string readCampaign(const Config &root, const std::filesystem::path &file)
                             "'" + entry.value.text() + "' cannot name a campaign; " + kWanted);
         return entry.value.text();
     }
-    const std::string stem = file.stem().string();
+    std::string stem = file.stem().string();
     if (!isFileNameSafe(stem))
         throw PlanError({file.string(), 1, 1},
                         "the plan has no 'campaign', and its file's name cannot stand in; " +

@@ -87,8 +87,8 @@ std::vector<Config> realSteps(double from, double to, double step, const SourceL
     if (!(last < static_cast<double>(kMaximalPoints)))
         refuseTooMany(where);
     std::vector<Config> values;
-    for (double i = 0; i <= last; ++i)
-        values.push_back(Config::scalar(tidyNumber(from + i * step), where));
+    for (std::size_t i = 0; i <= static_cast<std::size_t>(last); ++i)
+        values.push_back(Config::scalar(tidyNumber(from + static_cast<double>(i) * step), where));
     return values;
 }
 
@@ -96,7 +96,7 @@ std::vector<Config> factors(double from, double to, double factor, const SourceL
 {
     constexpr double kSlack = 1e-12;
     std::vector<Config> values;
-    for (double i = 0;; ++i)
+    for (int i = 0;; ++i)
     {
         const double value = from * std::pow(factor, i);
         if (!(value <= to * (1 + kSlack)))
@@ -356,7 +356,7 @@ void nameGroups(std::vector<Group> &groups)
     {
         if (uses[group.name] > 1)
             for (const auto &[key, text] : group.choices)
-                group.name += " " + key + "=" + text;
+                group.name.append(" ").append(key).append("=").append(text);
         for (ProblemPoint &point : group.points)
             point.name = group.name;
     }
