@@ -3,11 +3,17 @@
 #include "framework/support/Fingerprint.h"
 #include "problems/formats/Formats.h"
 
+#include <system_error>
+#include <utility>
+#include <vector>
+
 namespace mrpp
 {
 
 void KeptFiles::write(const RunSpec &spec, const RunResult &result)
 {
+    if (!std::exchange(clean_, true))
+        removeLeftovers();
     if (plan_.keep.instances && cases_.insert(spec.caseId).second)
     {
         const std::filesystem::path stem = folder_ / "instances" / spec.caseId;
@@ -20,6 +26,24 @@ void KeptFiles::write(const RunSpec &spec, const RunResult &result)
     {
         const std::string name = spec.caseId + "." + fileSafe(plan_.planners[spec.planner].name) + ".csv";
         saveSolution(folder_ / "solutions" / name, result.solution);
+    }
+}
+
+void KeptFiles::removeLeftovers() const
+{
+    for (const char *part : {"instances", "solutions"})
+    {
+        std::vector<std::filesystem::path> leftovers;
+        std::error_code error;
+        for (const auto &entry : std::filesystem::recursive_directory_iterator(folder_ / part, error))
+        {
+            const std::filesystem::path extension = entry.path().extension();
+            if (entry.is_regular_file() && extension != ".graphml" && extension != ".instance" &&
+                extension != ".csv")
+                leftovers.push_back(entry.path());
+        }
+        for (const std::filesystem::path &file : leftovers)
+            std::filesystem::remove(file, error);
     }
 }
 

@@ -22,11 +22,16 @@ public:
     {}
 
     /// Writes the files of a finished run. One call at a time. Throws FileError.
+    /// \pre the folder is this campaign's alone (the result store is open)
     void write(const RunSpec &spec, const RunResult &result);
 
 private:
+    /// Files that a killed campaign had not finished when it died.
+    void removeLeftovers() const;
+
     const BenchmarkPlan &plan_;
     std::filesystem::path folder_;
+    bool clean_ = false;
     std::set<std::string> cases_; ///< whose instance is written
 };
 
