@@ -167,7 +167,9 @@ std::optional<Point> GraphMlData::separateAxes(pugi::xml_node node) const
     std::array<double, 3> numbers{};
     for (std::size_t i = 0; i < numbers.size(); ++i)
     {
-        const std::string_view text = axes_[i] == nullptr ? "" : valueOf(node, *axes_[i]);
+        if (axes_[i] == nullptr) // z; the others are there
+            continue;
+        const std::string_view text = valueOf(node, *axes_[i]);
         if (!text.empty())
             numbers[i] = number(placeOf(node, *axes_[i]), text, "coordinate");
         else if (i < 2)
@@ -193,19 +195,25 @@ std::optional<Point> GraphMlData::boxCentre(pugi::xml_node node) const
 
 double GraphMlData::weight(pugi::xml_node edge) const
 {
-    const std::string_view text = weight_ == nullptr ? "" : valueOf(edge, *weight_);
+    if (weight_ == nullptr)
+        return 1;
+    const std::string_view text = valueOf(edge, *weight_);
     return text.empty() ? 1 : number(placeOf(edge, *weight_), text, "weight");
 }
 
 YAxis GraphMlData::yAxis(pugi::xml_node graph) const
 {
-    const std::string_view text = yAxis_ == nullptr ? "" : valueOf(graph, *yAxis_);
+    if (yAxis_ == nullptr)
+    {
+        const bool drawnByYEd =
+            point_ == nullptr && (axes_[0] == nullptr || axes_[1] == nullptr) && box_ != nullptr;
+        return drawnByYEd ? YAxis::down : YAxis::up;
+    }
+    const std::string_view text = valueOf(graph, *yAxis_);
     if (!text.empty() && text != "up" && text != "down")
         document_.fail(placeOf(graph, *yAxis_),
                        "the graph's YAxis is " + inQuotes(text) + "; expected 'up' or 'down'");
-    const bool drawnByYEd =
-        point_ == nullptr && (axes_[0] == nullptr || axes_[1] == nullptr) && box_ != nullptr;
-    return text == "down" || (text.empty() && drawnByYEd) ? YAxis::down : YAxis::up;
+    return text == "down" ? YAxis::down : YAxis::up;
 }
 
 } // namespace mrpp
