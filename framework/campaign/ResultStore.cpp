@@ -77,6 +77,14 @@ public:
             columns_.emplace(folded(columns.text(0)), columns.text(0));
     }
 
+    ~Database()
+    {
+        if (lock_)
+            connection.foldLog();
+    }
+    Database(const Database &) = delete;
+    Database &operator=(const Database &) = delete;
+
     void addColumns(const std::map<std::string, Value> &extra)
     {
         for (const auto &[name, value] : extra)

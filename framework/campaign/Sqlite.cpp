@@ -95,6 +95,13 @@ void Connection::run(const std::string &sql)
     check(sqlite3_exec(handle_, sql.c_str(), nullptr, nullptr, nullptr));
 }
 
+void Connection::foldLog() noexcept
+{
+    sqlite3_busy_timeout(handle_, 0);
+    sqlite3_exec(handle_, "PRAGMA journal_mode = DELETE", nullptr, nullptr, nullptr);
+    sqlite3_busy_timeout(handle_, kPatience);
+}
+
 bool Connection::hasTable(const std::string &name)
 {
     Statement query(*this, "SELECT 1 FROM sqlite_master WHERE type = 'table' AND name = ?");

@@ -37,6 +37,10 @@ public:
     /// Runs statements without parameters, separated by semicolons. Throws FileError.
     void run(const std::string &sql);
 
+    /// Leaves write-ahead mode: afterwards the file alone holds everything. Changes nothing while another
+    /// connection is open, and does not wait for it.
+    void foldLog() noexcept;
+
     [[nodiscard]] bool hasTable(const std::string &name);
     [[nodiscard]] std::int64_t lastRowId() const;
 

@@ -158,6 +158,35 @@ TEST_F(ResultStoreTest, CanBeReadWhileItIsWritten)
     EXPECT_EQ(reader.records().size(), 2U);
 }
 
+TEST_F(ResultStoreTest, LeavesOneFileThatHoldsEverything)
+{
+    {
+        ResultStore writer(dir(), Access::write);
+        writer.add(record("a"), solution());
+    }
+    EXPECT_EQ(ResultStore(dir(), Access::read).records().size(), 1U);
+    std::set<std::string> names;
+    for (const auto &entry : std::filesystem::directory_iterator(dir()))
+        names.insert(entry.path().filename());
+    EXPECT_EQ(names, (std::set<std::string>{".lock", "results.sqlite"}));
+    std::filesystem::create_directory(dir() / "copy");
+    std::filesystem::copy_file(file(), dir() / "copy" / "results.sqlite");
+    EXPECT_EQ(ResultStore(dir() / "copy", Access::read).solution("a"), solution());
+}
+
+TEST_F(ResultStoreTest, CanBeClosedWhileAReportReads)
+{
+    auto writer = std::make_unique<ResultStore>(dir(), Access::write);
+    writer->add(record("a"), solution());
+    const ResultStore reader(dir(), Access::read);
+    EXPECT_EQ(reader.records().size(), 1U);
+    writer.reset();
+    EXPECT_EQ(reader.records().size(), 1U);
+    ResultStore next(dir(), Access::write);
+    next.add(record("b"), solution());
+    EXPECT_EQ(reader.records().size(), 2U);
+}
+
 TEST_F(ResultStoreTest, HasTheTablesOfPlannerArena)
 {
     {
