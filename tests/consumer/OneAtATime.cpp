@@ -36,7 +36,8 @@ PlannerStatus OneAtATime::solve(const mrpp::TerminationCondition &ptc)
             std::fill(parents.begin(), parents.end(), mrpp::kNoVertex);
             std::vector<Vertex> queue = {goal};
             parents[goal] = goal;
-            for (std::size_t head = 0; head < queue.size() && parents[positions[r]] == mrpp::kNoVertex; ++head)
+            for (std::size_t head = 0; head < queue.size() && parents[positions[r]] == mrpp::kNoVertex;
+                 ++head)
             {
                 if (occupied[queue[head]] != 0)
                     continue;
