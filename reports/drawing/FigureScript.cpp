@@ -169,8 +169,7 @@ private:
         out_ << "# Written by mrppsim. `gnuplot -d " << figure_.name
              << ".gp`, run in this file's folder, draws it again.\n"
                 "reset\n"
-                "set encoding utf8\n"
-                "set decimalsign locale 'C'\n";
+                "set encoding utf8\n";
         const auto define = [this](const std::string &name, const std::string &text)
         { out_ << name << " = " << gnuplotString(text) << "\n"; };
         define("file_name", figure_.name);
@@ -479,7 +478,7 @@ std::string gnuplotString(std::string_view text)
 {
     std::string quoted = "'";
     for (const char c : oneLine(text))
-        quoted += c == '\'' ? std::string("''") : std::string(1, c);
+        quoted += c == '\'' ? std::string("'.\"'\".'") : std::string(1, c);
     return quoted + "'";
 }
 

@@ -11,8 +11,9 @@
 namespace mrpp
 {
 
-/// The text as a gnuplot string constant. Single quotes: between double ones gnuplot would run what stands
-/// in backticks. Control characters are gone, quotes doubled.
+/// The text as a gnuplot string expression. Single quotes: between double ones gnuplot would run what stands
+/// in backticks. A quote of the text becomes a constant of its own, as in 'it'."'".'s': doubled, as the
+/// manual has it, several in a row would end the string early. Control characters are gone.
 [[nodiscard]] std::string gnuplotString(std::string_view text);
 
 /// The same figure gives the same script.

@@ -3,6 +3,7 @@
 #include "reports/drawing/PdfFile.h"
 #include "reports/drawing/Text.h"
 
+#include <cstdlib>
 #include <graphviz/gvc.h>
 #include <mutex>
 
@@ -115,6 +116,10 @@ void GraphvizGraph::setEdge(std::size_t edge, const char *name, const std::strin
 
 std::vector<Point> GraphvizGraph::arrange(const char *engine)
 {
+    // The engines draw from the C library's generators, wherever an earlier caller left them.
+    constexpr unsigned int kSeed = 1;
+    std::srand(kSeed);
+    ::srand48(kSeed);
     const State::Layout layout(*state_, engine);
     std::vector<Point> positions;
     positions.reserve(state_->nodes.size());

@@ -1,0 +1,101 @@
+# Written by mrppsim. `gnuplot -d fg_vr-grid-path_length.gp`, run in this file's folder, draws it again.
+reset
+set encoding utf8
+file_name = 'fg_vr-grid-path_length'
+title_text = 'Path length on grid'
+measure_text = 'Path length (moves)'
+variable_text = 'Robots'
+label_0 = 'push_and_swap (16/16 solved)'
+label_1 = 'fails often (9/16 solved)'
+bound_text = 'lower bound'
+$values_0 << e
+1 11.5 10.75 12.5 4 4 0
+2 23 21.5 25 4 4 0
+3 34.5 32.25 37.5 4 4 0
+4 46 43 50 4 4 0
+e
+$success_0 << e
+1 100
+2 100
+3 100
+4 100
+e
+$values_1 << e
+1 14.5 13.75 15.75 4 4 1
+
+3 39 39 39 1 4 0
+4 59.5 55.75 64.5 4 4 0
+e
+$success_1 << e
+1 100
+2 0
+3 25
+4 100
+e
+$bounds << e
+1 8
+2 16
+3 24
+4 32
+e
+do for [format in 'png pdf svg'] {
+if (format eq 'png') { set terminal pngcairo noenhanced size 1890,1419 font 'DejaVu Sans,9' fontscale 3.1250 linewidth 4.1667 pointscale 4.1667 }
+if (format eq 'pdf') { set terminal pdfcairo noenhanced size 16.00cm,12.01cm font 'DejaVu Sans,9' fontscale 0.75 }
+if (format eq 'svg') { set terminal svg noenhanced size 605,454 font 'DejaVu Sans,12' background '#ffffff' }
+title_font = 'DejaVu Sans Bold,'.(format eq 'svg' ? '13.3' : '10')
+small_font = 'DejaVu Sans,'.(format eq 'svg' ? '10.6' : '8')
+set output file_name.'.'.format
+set multiplot
+set tics nomirror out scale 0.6,0.3
+set border 3 lc rgb '#404040'
+set grid xtics ytics lc rgb '#d9d9d9' lw 0.5 dt solid
+set lmargin at screen 0.15000
+set rmargin at screen 0.96250
+set bmargin at screen 0.37136
+set tmargin at screen 0.92090
+unset logscale x
+set xrange [0.91:4.09]
+set xtics ('' 1, '' 2, '' 3, '' 4)
+unset logscale y
+set yrange [0:68.37]
+set ytics autofreq
+set format y '%.10g'
+set label 1 measure_text at screen 0.03438,0.64613 center rotate noenhanced
+set title title_text noenhanced font title_font offset 0,-0.2
+set key at screen 0.04,0.01249 left bottom horizontal Left reverse noenhanced samplen 3 spacing 1.1 width 1 maxcols 2
+plot $values_0 using 1:3:4 with filledcurves fs transparent solid 0.15 noborder lc rgb '#0072b2' notitle, \
+     $values_1 using 1:3:4 with filledcurves fs transparent solid 0.15 noborder lc rgb '#d55e00' notitle, \
+     $bounds using 1:2 with lines lw 1.2 dt (4,4) lc rgb '#606060' notitle, \
+     keyentry with lines lw 1.2 dt (4,4) lc rgb '#606060' title bound_text, \
+     $values_0 using 1:($7==1?$2:NaN):3:4 with yerrorbars ps 0 lw 1 lc rgb '#0072b2' notitle, \
+     $values_0 using 1:2 with lines lw 1.5 dt solid lc rgb '#0072b2' notitle, \
+     $values_0 using 1:($5==$6?$2:NaN) with points pt 7 ps 0.7 lc rgb '#0072b2' notitle, \
+     $values_0 using 1:($5<$6?$2:NaN) with points pt 7 ps 0.7 lc rgb '#ffffff' notitle, \
+     $values_0 using 1:($5<$6?$2:NaN) with points pt 6 ps 0.7 lc rgb '#0072b2' notitle, \
+     keyentry with linespoints pt 7 ps 0.7 lw 1.5 dt solid lc rgb '#0072b2' title label_0, \
+     $values_1 using 1:($7==1?$2:NaN):3:4 with yerrorbars ps 0 lw 1 lc rgb '#d55e00' notitle, \
+     $values_1 using 1:2 with lines lw 1.5 dt (12,5) lc rgb '#d55e00' notitle, \
+     $values_1 using 1:($5==$6?$2:NaN) with points pt 5 ps 0.7 lc rgb '#d55e00' notitle, \
+     $values_1 using 1:($5<$6?$2:NaN) with points pt 5 ps 0.7 lc rgb '#ffffff' notitle, \
+     $values_1 using 1:($5<$6?$2:NaN) with points pt 4 ps 0.7 lc rgb '#d55e00' notitle, \
+     keyentry with linespoints pt 5 ps 0.7 lw 1.5 dt (12,5) lc rgb '#d55e00' title label_1
+set lmargin at screen 0.15000
+set rmargin at screen 0.96250
+set bmargin at screen 0.20483
+set tmargin at screen 0.34221
+unset logscale x
+set xrange [0.91:4.09]
+set xtics ('1' 1, '2' 2, '3' 3, '4' 4)
+unset logscale y
+set yrange [-12:112]
+set ytics ('0' 0, '50' 50, '100' 100)
+set label 1 'Solved (%)' at screen 0.03438,0.27352 center rotate noenhanced font small_font
+unset title
+unset key
+set xlabel variable_text noenhanced
+plot $success_0 using 1:2 with linespoints pt 7 ps 0.45 lw 1.2 dt solid lc rgb '#0072b2', \
+     $success_1 using 1:2 with linespoints pt 5 ps 0.45 lw 1.2 dt (12,5) lc rgb '#d55e00'
+unset multiplot
+reset
+}
+set output

@@ -1,0 +1,93 @@
+#include "reports/CsvReport.h"
+#include "framework/support/Error.h"
+#include "framework/support/File.h"
+#include "reports/drawing/TemporaryFolder.h"
+#include "tests/reports/Campaigns.h"
+#include "tests/reports/Golden.h"
+
+#include <gtest/gtest.h>
+
+namespace mrpp
+{
+namespace
+{
+
+using namespace mrpp::testing;
+
+ResultTable mixedResults()
+{
+    return FakeCampaign("mixed", 3)
+        .planner("push_and_swap")
+        .planner("with \"quotes\", and a comma\nand a line")
+        .problem("small_benchmark", "tree", treeInstance())
+        .sweep("fg_vr", "grid", "robots", {2, 4},
+               [](double robots) { return gridInstance(4, static_cast<std::size_t>(robots)); })
+        .run(
+            [](RunRecord &record, std::size_t planner)
+            {
+                if (planner == 1 && record.repetition == 1)
+                {
+                    record.status = PlannerStatus::timeout;
+                    record.reason = "the time limit came first";
+                    record.completed = 0.5;
+                    return;
+                }
+                solveSmoothly(record, planner);
+                if (record.problem == "tree")
+                    record.extra["zeal"] = 0.25;
+                if (planner == 0)
+                    record.extra["notes"] = std::string("a,b");
+            });
+}
+
+TEST(CsvReport, WritesResultsAndSummary)
+{
+    const ResultTable results = mixedResults();
+    const TemporaryFolder folder;
+    const auto files = CsvReport().write(results, fakeProvenance(), folder.path());
+    ASSERT_EQ(files.size(), 2U);
+    expectGolden("results.csv", readFile(folder.path() / "results.csv"));
+    expectGolden("summary.csv", readFile(folder.path() / "summary.csv"));
+}
+
+TEST(CsvReport, HasOneRowARunAndTheColumnsInOrder)
+{
+    const std::string csv = resultsCsv(mixedResults().records());
+    std::string heading;
+    for (const RunColumn &column : runColumns())
+        heading += std::string(column.name) + ",";
+    EXPECT_EQ(csv.substr(0, csv.find('\n')), heading + "notes,zeal");
+    EXPECT_NE(csv.find("\"with \"\"quotes\"\", and a comma\nand a line\""), std::string::npos);
+    EXPECT_EQ(csv.find('\r'), std::string::npos);
+}
+
+TEST(CsvReport, OfNothingHasHeadingsOnly)
+{
+    const std::string results = resultsCsv({});
+    EXPECT_EQ(results.find('\n'), results.size() - 1);
+    const std::string summary = summaryCsv({});
+    EXPECT_EQ(summary.find('\n'), summary.size() - 1);
+}
+
+TEST(CsvReport, SummaryLeavesMediansEmptyWhereNothingWasSolved)
+{
+    const ResultTable results =
+        FakeCampaign("failed", 2)
+            .planners(1)
+            .problem("m", "p", treeInstance())
+            .run([](RunRecord &record, std::size_t) { record.status = PlannerStatus::memory_limit; });
+    const std::string summary = summaryCsv(results.records());
+    EXPECT_NE(summary.find("m,p,,,planner_0,2,0,0,,,,0,,,,0,"), std::string::npos) << summary;
+    EXPECT_NE(summary.find(",0,2,0,0,0,0,0,0,0,0\n"), std::string::npos) << summary;
+}
+
+TEST(CsvReport, ThrowsWhereItCannotWrite)
+{
+    const TemporaryFolder folder;
+    writeFile(folder.path() / "file", "");
+    EXPECT_THROW((void)CsvReport().write(mixedResults(), fakeProvenance(), folder.path() / "file" / "sub"),
+                 FileError);
+}
+
+} // namespace
+} // namespace mrpp

@@ -1,0 +1,202 @@
+#include "reports/PdfReport.h"
+#include "framework/support/Error.h"
+#include "framework/support/File.h"
+#include "reports/ChartsReport.h"
+#include "reports/drawing/PdfFile.h"
+#include "reports/drawing/Picture.h"
+#include "reports/drawing/Process.h"
+#include "reports/drawing/SummaryTables.h"
+#include "reports/drawing/TemporaryFolder.h"
+#include "tests/reports/Campaigns.h"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+
+namespace mrpp
+{
+namespace
+{
+
+using namespace mrpp::testing;
+
+FakeCampaign smallCampaign()
+{
+    FakeCampaign campaign("demo & <b>more</b>", 2);
+    campaign.planner("push_and_swap")
+        .planner("a planner whose name is so long that no table column and no legend can ever hold it whole")
+        .problem("small_benchmark", "tree", treeInstance())
+        .sweep("fg_vr", "grid", "robots", {1, 2},
+               [](double robots) { return gridInstance(4, static_cast<std::size_t>(robots)); });
+    campaign.plan().text = "campaign: demo\nproblems: # <i>verbatim</i> & more\n  - small_benchmark: tree\n";
+    return campaign;
+}
+
+/// Writes report.pdf, checks its structure and returns its text without line breaks.
+std::string reportText(const ResultTable &results, const std::filesystem::path &folder)
+{
+    const auto files = PdfReport().write(results, fakeProvenance(), folder);
+    EXPECT_EQ(files, std::vector<std::filesystem::path>{folder / "report.pdf"});
+    const auto check = runProcess({"qpdf", "--check", "report.pdf"}, folder, std::chrono::seconds(60));
+    EXPECT_TRUE(check.succeeded()) << check.output;
+    const auto text = runProcess({"pdftotext", "report.pdf", "report.txt"}, folder, std::chrono::seconds(60));
+    EXPECT_TRUE(text.succeeded()) << text.output;
+    std::string words = readFile(folder / "report.txt");
+    std::replace(words.begin(), words.end(), '\n', ' ');
+    return words;
+}
+
+void expectWords(const std::string &text, const std::vector<std::string> &expected)
+{
+    for (const std::string &words : expected)
+        EXPECT_NE(text.find(words), std::string::npos) << "missing: " << words;
+}
+
+TEST(PdfReport, StandsAlone)
+{
+    const TemporaryFolder folder;
+    const std::string text = reportText(smallCampaign().run(solveSmoothly), folder.path());
+    expectWords(text,
+                {"demo & <b>more</b>", "12 finished of 12 planned: 12 solved, 0 not", "push_and_swap",
+                 "0123456789abcdef0123456789abcdef01234567", "2026-07-31T12:34:56Z", "Debian GNU/Linux 12",
+                 "Every run ended with a valid solution.", "<i>verbatim</i> & more",
+                 "Figure 1. Path length on grid (fg vr) against robots", "Solved (%)", "Time (s)",
+                 "Figure 6. Success rate on grid", "tree: 7 vertices, 6 edges, 3 robots"});
+}
+
+TEST(PdfReport, WritesTheSameBytesAgain)
+{
+    const ResultTable results = smallCampaign().run(solveSmoothly);
+    const TemporaryFolder first;
+    const TemporaryFolder second;
+    (void)PdfReport().write(results, fakeProvenance(), first.path());
+    (void)ChartsReport().write(results, fakeProvenance(), second.path()); // these figures are taken over
+    (void)PdfReport().write(results, fakeProvenance(), second.path());
+    EXPECT_EQ(readFile(first.path() / "report.pdf"), readFile(second.path() / "report.pdf"));
+}
+
+TEST(PdfReport, DoesNotTakeOverFiguresOfOtherResults)
+{
+    const TemporaryFolder folder;
+    const TemporaryFolder fresh;
+    FakeCampaign campaign = smallCampaign();
+    (void)ChartsReport().write(campaign.run([](RunRecord &record, std::size_t) { solveSmoothly(record, 5); }),
+                               fakeProvenance(), folder.path());
+    const ResultTable results = campaign.run(solveSmoothly);
+    (void)PdfReport().write(results, fakeProvenance(), folder.path());
+    (void)PdfReport().write(results, fakeProvenance(), fresh.path());
+    EXPECT_EQ(readFile(folder.path() / "report.pdf"), readFile(fresh.path() / "report.pdf"));
+}
+
+TEST(PdfReport, ListsFailuresWithTheirReasons)
+{
+    const TemporaryFolder folder;
+    const std::string text = reportText(smallCampaign().run(
+                                            [](RunRecord &record, std::size_t)
+                                            {
+                                                record.status = PlannerStatus::invalid;
+                                                record.reason = "move 3 enters an occupied vertex";
+                                            }),
+                                        folder.path());
+    expectWords(text, {"12 finished of 12 planned: 0 solved, 12 not", "move 3 enters an occupied vertex",
+                       "no run was solved"});
+}
+
+TEST(PdfReport, OfAnUnfinishedCampaignSaysSo)
+{
+    const TemporaryFolder folder;
+    const ResultTable nothing(smallCampaign().plan(), {}, {});
+    expectWords(reportText(nothing, folder.path()),
+                {"0 finished of 12 planned", "not finished", "No run has finished yet."});
+}
+
+TEST(PdfReport, SurvivesNastyNames)
+{
+    const TemporaryFolder folder;
+    const std::string marker = (folder.path() / "MARKER").string();
+    FakeCampaign campaign("`touch " + marker + "`");
+    campaign.planner("$(touch " + marker + ")\n\x01\xFF")
+        .planner("<span size='xx-large'>big</span>")
+        .problem("m", "\\N & ` \" '", treeInstance());
+    campaign.plan().text = std::string(5000, 'x') + "\n\n\t<markup> \xFE\n";
+    const std::string text = reportText(campaign.run(solveSmoothly), folder.path());
+    EXPECT_FALSE(std::filesystem::exists(marker));
+    expectWords(text, {"<span", "</span>", "<markup>", "\\N & ` \" '"});
+}
+
+TEST(PdfReport, PaginatesLongTablesWithTheirHeadings)
+{
+    FakeCampaign campaign("long");
+    std::vector<double> values;
+    for (int value = 1; value <= 120; ++value)
+        values.push_back(value);
+    campaign.planners(2).sweep("m", "p", "robots", values, [](double) { return treeInstance(); });
+    const TemporaryFolder folder;
+    const std::string text = reportText(campaign.run(solveSmoothly), folder.path());
+    std::size_t headings = 0;
+    for (std::size_t at = text.find("Makespan, optimized"); at != std::string::npos;
+         at = text.find("Makespan, optimized", at + 1))
+        ++headings;
+    EXPECT_GE(headings, 4U); // 240 rows
+}
+
+TEST(PdfReport, ThrowsWhereItCannotWrite)
+{
+    const TemporaryFolder folder;
+    writeFile(folder.path() / "file", "");
+    EXPECT_THROW(
+        (void)PdfReport().write(smallCampaign().run(solveSmoothly), fakeProvenance(), folder.path() / "file"),
+        FileError);
+}
+
+TEST(SummaryTables, MarkTheBestAmongThoseWhoSolvedMost)
+{
+    const ResultTable results = FakeCampaign("best", 2)
+                                    .planners(3)
+                                    .problem("m", "p", treeInstance())
+                                    .run(
+                                        [](RunRecord &record, std::size_t planner)
+                                        {
+                                            solveSmoothly(record, planner);
+                                            // The shortest paths, but only on half of the instances.
+                                            if (planner == 0 && record.repetition == 1)
+                                                record.status = PlannerStatus::timeout;
+                                        });
+    const auto tables = summaryTables(results.records());
+    ASSERT_EQ(tables.size(), 1U);
+    ASSERT_EQ(tables[0].rows.size(), 3U);
+    EXPECT_EQ(tables[0].rows[0][2].text, "1/2");
+    EXPECT_EQ(tables[0].rows[0][3].emphasis, PdfTableCell::Emphasis::none);
+    EXPECT_EQ(tables[0].rows[1][3].emphasis, PdfTableCell::Emphasis::best);
+    EXPECT_EQ(tables[0].rows[2][3].emphasis, PdfTableCell::Emphasis::none);
+}
+
+TEST(FailureTable, GroupsByPlannerStatusAndReason)
+{
+    const ResultTable results = FakeCampaign("failures", 6)
+                                    .planners(1)
+                                    .problem("m", "p", treeInstance())
+                                    .run(
+                                        [](RunRecord &record, std::size_t)
+                                        {
+                                            record.status = record.repetition % 2 == 0
+                                                                ? PlannerStatus::timeout
+                                                                : PlannerStatus::crash;
+                                            record.reason = record.repetition == 5 ? "other" : "same";
+                                        });
+    const SummaryTable table = failureTable(results.records(), 10);
+    ASSERT_EQ(table.rows.size(), 3U);
+    EXPECT_EQ(table.rows[0][1].text, "timeout");
+    EXPECT_EQ(table.rows[0][2].text, "3");
+    EXPECT_EQ(table.rows[1][2].text, "2");
+    EXPECT_EQ(table.rows[2][3].text, "other");
+    EXPECT_EQ(failureTable(results.records(), 1).rows.back()[3].text, "2 kinds more, see results.csv");
+}
+
+TEST(PdfFile, RefusesWhatIsNoPdf)
+{
+    EXPECT_THROW((void)withoutTimes("no PDF at all"), DrawingError);
+    EXPECT_THROW((void)pageSize(""), DrawingError);
+}
+
+} // namespace
+} // namespace mrpp

@@ -1,0 +1,102 @@
+#include "reports/drawing/Text.h"
+#include "reports/drawing/Axis.h"
+#include "reports/drawing/Palette.h"
+
+#include <gtest/gtest.h>
+#include <set>
+#include <tuple>
+
+namespace mrpp
+{
+namespace
+{
+
+TEST(OneLine, DropsControlCharactersAndRepairsUtf8)
+{
+    EXPECT_EQ(oneLine("a\nb\tc\x01\x7F"), "a b c");
+    EXPECT_EQ(oneLine("grün 8×8 😀"), "grün 8×8 😀");
+    EXPECT_EQ(oneLine("\xFFx\xC3"), "\uFFFDx\uFFFD");
+    EXPECT_EQ(oneLine("\xED\xA0\x80"), "\uFFFD\uFFFD\uFFFD"); // a surrogate
+    EXPECT_EQ(oneLine("\xC2\x85z"), "z");                     // a C1 control character
+    EXPECT_EQ(manyLines("a\n\tb\r"), "a\n    b");
+}
+
+TEST(Ellipsize, CutsCharactersNotBytes)
+{
+    EXPECT_EQ(ellipsize("äöü", 3), "äöü");
+    EXPECT_EQ(ellipsize("äöüß", 3), "äö…");
+    EXPECT_EQ(characterCount("äö…"), 3U);
+}
+
+TEST(FileNames, AreSafeAndDistinct)
+{
+    FileNames names;
+    EXPECT_EQ(names.add("small_benchmark-tree"), "small_benchmark-tree");
+    EXPECT_EQ(names.add("grid 8×8"), "grid-8-8");
+    EXPECT_EQ(names.add("grid 8+8"), "grid-8-8-2");
+    EXPECT_EQ(names.add("../../etc/passwd"), "etc-passwd");
+    EXPECT_EQ(names.add("`touch x`"), "touch-x");
+    EXPECT_EQ(names.add("..."), "unnamed");
+    EXPECT_EQ(names.add(std::string(300, 'x')).size(), 90U);
+}
+
+TEST(CurveStyle, TellsFortyCurvesApartWithoutColor)
+{
+    std::set<std::tuple<std::string, int, std::string>> styles;
+    for (std::size_t i = 0; i < 40; ++i)
+    {
+        const CurveStyle style = curveStyle(i);
+        EXPECT_EQ(style.filledMarker, style.hollowMarker + 1);
+        EXPECT_TRUE(styles.insert({style.color, style.filledMarker, style.dashes}).second) << i;
+    }
+}
+
+TEST(RobotColor, IsAlwaysSixDigits)
+{
+    for (std::size_t i = 0; i < 500; ++i)
+    {
+        const std::string color = robotColor(i);
+        ASSERT_EQ(color.size(), 7U);
+        EXPECT_EQ(color[0], '#');
+        EXPECT_EQ(color.find_first_not_of("0123456789abcdef", 1), std::string::npos) << color;
+    }
+    EXPECT_EQ(textColorOn("#f0e442"), "#000000");
+    EXPECT_EQ(textColorOn("#0072b2"), "#ffffff");
+}
+
+TEST(MeasureAxis, IsLogarithmicOnlyBeyondTwoDecades)
+{
+    EXPECT_FALSE(measureAxis({1, 100}).logarithmic);
+    EXPECT_TRUE(measureAxis({1, 101}).logarithmic);
+    EXPECT_FALSE(measureAxis({0, 1000}).logarithmic); // zero has no logarithm
+    EXPECT_EQ(measureAxis({3, 7}).least, 0);
+    EXPECT_GT(measureAxis({3, 7}).most, 7);
+    EXPECT_LT(measureAxis({}).least, measureAxis({}).most);
+    EXPECT_LT(measureAxis({0}).least, measureAxis({0}).most);
+}
+
+TEST(SweepAxis, NamesEveryValueWhereThereIsRoom)
+{
+    const Axis few = sweepAxis({200, 50, 100, 50});
+    ASSERT_EQ(few.tics.size(), 3U);
+    EXPECT_EQ(few.tics[0].label, "50");
+    EXPECT_EQ(few.tics[2].label, "200");
+    std::vector<double> many;
+    for (int i = 1; i <= 30; ++i)
+        many.push_back(i);
+    EXPECT_TRUE(sweepAxis(many).tics.empty());
+    const Axis single = sweepAxis({5});
+    EXPECT_LT(single.least, 5);
+    EXPECT_GT(single.most, 5);
+}
+
+TEST(PowerOfTen, IsShort)
+{
+    EXPECT_EQ(powerOfTen(-3), "0.001");
+    EXPECT_EQ(powerOfTen(3), "1000");
+    EXPECT_EQ(powerOfTen(12), "10¹²");
+    EXPECT_EQ(powerOfTen(-6), "10⁻⁶");
+}
+
+} // namespace
+} // namespace mrpp
