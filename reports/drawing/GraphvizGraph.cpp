@@ -13,11 +13,18 @@ namespace mrpp
 namespace
 {
 
-/// Graphviz keeps state of its own for the whole process, so its lock is the process's as well.
-std::mutex &graphvizLock()
+/// Graphviz keeps state of its own for the whole process, so its lock is the process's as well. The context
+/// is never freed: the text plugin remembers the last font of a context beyond the context's end.
+struct Graphviz
 {
-    static std::mutex lock;
-    return lock;
+    std::mutex lock;
+    GVC_t *context = gvContext();
+};
+
+Graphviz &graphviz()
+{
+    static Graphviz library;
+    return library;
 }
 
 // The C interface takes text as `char *` but never writes to it.
@@ -40,17 +47,13 @@ struct GraphvizGraph::State
     std::vector<Agnode_t *> nodes;
     std::vector<Agedge_t *> edges;
 
-    State() : lock(graphvizLock())
+    State() : lock(graphviz().lock)
     {
         agseterr(AGMAX); // what went wrong shows in return values
-        context = gvContext();
+        context = graphviz().context;
         graph = agopen(text("drawing"), Agstrictundirected, nullptr);
     }
-    ~State()
-    {
-        agclose(graph);
-        gvFreeContext(context);
-    }
+    ~State() { agclose(graph); }
     State(const State &) = delete;
     State &operator=(const State &) = delete;
 
