@@ -177,7 +177,7 @@ private:
             postRun_(result.record, *result.instance, result.solution);
         if (request_.onFinished)
             request_.onFinished(run, result);
-        store_.add(result.record, result.solution);
+        store_.add(result.record, result.solution, result.progress);
         ++summary_.finished;
         ++summary_.statuses[result.record.status];
         if (!request_.progress)

@@ -90,7 +90,8 @@ public:
     /// Why the run ended as it did, in a sentence that names robots and vertices; empty when solved.
     [[nodiscard]] const std::string &reason() const { return reason_; }
 
-    /// Named values that grow or shrink while solve() runs, sampled by the benchmark from another thread.
+    /// Named values that grow or shrink while solve() runs, sampled every 50 ms from another thread: read
+    /// atomics in them. Kept in the table `progress` of results.sqlite.
     using ProgressProperties = std::vector<std::pair<std::string, std::function<double()>>>;
     [[nodiscard]] const ProgressProperties &progressProperties() const { return progressProperties_; }
 

@@ -2,6 +2,7 @@
 /// \file
 /// Who carries a run out: here in this process; worker processes stand behind the same interface.
 
+#include "framework/campaign/ProgressSampler.h"
 #include "framework/campaign/RunRecord.h"
 #include "framework/model/Instance.h"
 #include "framework/model/Solution.h"
@@ -21,6 +22,7 @@ struct RunResult
     Solution solution;                        ///< the planner's, checked; empty where there is none
     Solution optimized;                       ///< after the optimizers, checked; empty without them
     std::shared_ptr<const Instance> instance; ///< what the planner was asked
+    Progress progress;                        ///< of solve(); empty for planners without such properties
 };
 
 class Executor

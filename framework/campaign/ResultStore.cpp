@@ -170,6 +170,34 @@ public:
         statement.execute();
     }
 
+    /// Samples of the run in the row `runId` of `runs`; a new property becomes a new column.
+    void insert(const Progress &progress, std::int64_t runId)
+    {
+        if (progress.samples.empty())
+            return;
+        std::string names = "runid, time";
+        std::string marks = "?, ?";
+        for (const std::string &name : progress.names)
+        {
+            sqlite::Statement known(connection, "SELECT 1 FROM pragma_table_info('progress') WHERE name = ? "
+                                                "COLLATE NOCASE");
+            if (!known.bind(1, Value(name)).step())
+                connection.run("ALTER TABLE progress ADD COLUMN " + sqlite::quoted(name) + " REAL");
+            names += ", " + sqlite::quoted(name);
+            marks += ", ?";
+        }
+        // Planner Arena knows a sample by its time: of two at one moment the later one counts.
+        const std::string sql = "INSERT OR REPLACE INTO progress (" + names + ") VALUES (" + marks + ")";
+        for (const Progress::Sample &sample : progress.samples)
+        {
+            sqlite::Statement statement(connection, sql);
+            statement.bind(1, Value(runId)).bind(2, Value(sample.time));
+            for (std::size_t i = 0; i < sample.values.size(); ++i)
+                statement.bind(static_cast<int>(i) + 3, Value(sample.values[i]));
+            statement.execute();
+        }
+    }
+
     static constexpr const char *kEveryCommit = "PRAGMA synchronous = FULL";   // is on the disk
     static constexpr const char *kSomeCommits = "PRAGMA synchronous = NORMAL"; // with the next that is
 
@@ -246,7 +274,7 @@ std::int64_t ResultStore::begin(const std::string &runKey)
     return attempts;
 }
 
-void ResultStore::add(const RunRecord &record, const Solution &solution)
+void ResultStore::add(const RunRecord &record, const Solution &solution, const Progress &progress)
 {
     sqlite::Connection &connection = database_->connection;
     const std::vector<std::uint8_t> packed = packSolution(solution);
@@ -259,6 +287,7 @@ void ResultStore::add(const RunRecord &record, const Solution &solution)
         database_->addColumns(record.extra);
         const std::int64_t experiment = database_->experiment(record);
         database_->insert(record, experiment, database_->planner(record.planner));
+        database_->insert(progress, connection.lastRowId());
         sqlite::Statement total(connection, "UPDATE experiments SET totaltime = totaltime + ? WHERE id = ?");
         total.bind(1, record.time.value_or(0)).bind(2, experiment).execute();
         if (!record.solutionFingerprint.empty() && packed.size() <= kLargestSolution)

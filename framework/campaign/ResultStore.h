@@ -11,6 +11,7 @@
 /// give each shard a folder of its own.
 
 #include "framework/campaign/BenchmarkPlan.h"
+#include "framework/campaign/ProgressSampler.h"
 #include "framework/campaign/Provenance.h"
 #include "framework/campaign/RunRecord.h"
 #include "framework/model/Solution.h"
@@ -54,7 +55,7 @@ public:
     /// Keeps a finished run (and its solution, where that is no more than 4 MiB packed). On return it is on
     /// disk. A run that is there already stays as it is. Throws InputError where an extra column has the name
     /// of another, and FileError where the disk is full; then the store is as before.
-    void add(const RunRecord &record, const Solution &solution);
+    void add(const RunRecord &record, const Solution &solution, const Progress &progress = {});
 
     /// All finished runs, in the order in which they were kept.
     [[nodiscard]] std::vector<RunRecord> records() const;

@@ -106,8 +106,9 @@ bool hasSolution(const RunRecord &record)
 }
 
 /// setup() and solve(), timed; the status is the planner's word, which nobody has checked yet.
-void plan(Planner &planner, const RunSettings &settings, const std::stop_token &stop, RunRecord &record)
+void plan(Planner &planner, const RunSettings &settings, const std::stop_token &stop, RunResult &result)
 {
+    RunRecord &record = result.record;
     const Stopwatch setup;
     guarded(record, "", [&] { planner.setup(); });
     record.setupTime = setup.seconds();
@@ -115,6 +116,7 @@ void plan(Planner &planner, const RunSettings &settings, const std::stop_token &
         return;
 
     const auto ptc = TerminationCondition::after(settings.limits.time) || TerminationCondition::when(stop);
+    ProgressSampler progress(planner);
     const Stopwatch solve;
     guarded(record, "",
             [&]
@@ -123,6 +125,7 @@ void plan(Planner &planner, const RunSettings &settings, const std::stop_token &
                 record.reason = planner.reason();
             });
     record.time = solve.seconds();
+    result.progress = progress.finish();
     if (stop.stop_requested() && record.status != PlannerStatus::solved)
         end(record, PlannerStatus::aborted, "stopped by the user");
     else if (hasSolution(record) && *record.time > settings.limits.time + settings.grace)
@@ -234,7 +237,7 @@ RunResult runPlanner(Planner &planner, const PreparedInstance &prepared,
                     end(record, PlannerStatus::unsupported, reason);
             });
     if (record.status == PlannerStatus::unknown)
-        plan(planner, settings, stop, record);
+        plan(planner, settings, stop, result);
     memory.note(record, settings.limits.memory);
     if (!hasSolution(record))
         return result;

@@ -97,6 +97,19 @@ TEST_F(ResultStoreTest, KeepsRunsAndSolutions)
     EXPECT_EQ(store.solution("c"), std::nullopt);
 }
 
+TEST_F(ResultStoreTest, KeepsProgressBesideItsRun)
+{
+    const Progress progress = {{"best \"cost\"", "nodes"}, {{0.05, {9, 1}}, {0.1, {7, 2}}, {0.1, {6, 3}}}};
+    {
+        ResultStore store(dir(), Access::write);
+        store.add(record("a"), solution());
+        store.add(record("b"), solution(), progress);
+    }
+    EXPECT_EQ(texts("SELECT run_key || ' ' || progress.time || ' ' || \"best \"\"cost\"\"\" || ' ' || nodes "
+                    "FROM progress JOIN runs ON runid = id ORDER BY progress.time"),
+              (std::vector<std::string>{"b 0.05 9.0 1.0", "b 0.1 6.0 3.0"}));
+}
+
 TEST_F(ResultStoreTest, KeepsASolutionWithoutMoves)
 {
     ResultStore store(dir(), Access::write);

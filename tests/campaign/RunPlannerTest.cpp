@@ -6,6 +6,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <atomic>
+
 namespace mrpp
 {
 namespace
@@ -46,6 +48,42 @@ void expectNoLengths(const RunRecord &record)
     EXPECT_EQ(record.optimizedPathLength, std::nullopt);
     EXPECT_EQ(record.solutionFingerprint, "");
     EXPECT_EQ(record.completed, 0);
+}
+
+/// Counts up for a fifth of a second.
+class Counter final : public Planner
+{
+public:
+    Counter() : Planner({.citation = "", .motion = MotionRule::pebble, .completeFor = ""})
+    {
+        addProgressProperty("count", [this] { return static_cast<double>(count_.load()); });
+    }
+    PlannerStatus solve(const TerminationCondition &) override
+    {
+        const auto enough = TerminationCondition::after(0.2);
+        while (!enough())
+            ++count_;
+        return because(PlannerStatus::gave_up, "counted");
+    }
+
+private:
+    std::atomic<std::int64_t> count_ = 0;
+};
+
+TEST(RunPlanner, SamplesWhatAPlannerShowsWhileItWorks)
+{
+    Counter counter;
+    const RunResult result = runPlanner(counter, question(), {}, {}, {});
+    EXPECT_EQ(result.progress.names, std::vector<std::string>{"count"});
+    const auto &samples = result.progress.samples;
+    ASSERT_GE(samples.size(), 2U); // every 50 ms, on a busy machine less often
+    for (std::size_t i = 1; i < samples.size(); ++i)
+    {
+        EXPECT_GE(samples[i].time, samples[i - 1].time);
+        EXPECT_GE(samples[i].values.at(0), samples[i - 1].values.at(0));
+    }
+    EXPECT_GT(samples.back().values.at(0), 0);
+    EXPECT_TRUE(run("walker").progress.samples.empty());
 }
 
 TEST(RunPlanner, MeasuresASolution)
