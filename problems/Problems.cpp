@@ -4,6 +4,7 @@
 #include "problems/PublicBenchmark.h"
 #include "problems/SmallBenchmark.h"
 #include "problems/formats/Formats.h"
+#include "problems/generators/Generators.h"
 
 namespace mrpp
 {
@@ -14,6 +15,7 @@ void registerProblems(Catalog &catalog)
     catalog.problems.add<SmallBenchmark>("small_benchmark", "a small critical problem, built in");
     catalog.problems.add<PublicBenchmark>("public_benchmark",
                                           "a MovingAI map with random robots or those of a scenario");
+    registerGenerators(catalog);
     for (FileFormat &format : fileFormats())
         catalog.formats.push_back(std::move(format));
 }

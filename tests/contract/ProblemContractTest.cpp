@@ -40,6 +40,15 @@ const std::map<std::string, Config> &samples()
         {"fully_controlled", settings({{"graph", "triangle.graphml"}, {"instance", "triangle.instance"}})},
         {"small_benchmark", Config::scalar("connector")},
         {"public_benchmark", settings({{"map", "room.map"}, {"robots", "4"}})},
+        {"biconnected", settings({{"initial_cycle", "4"}, {"handles", "3"}, {"free", "2"}})},
+        {"random", settings({{"vertices", "12"}, {"edges", "17"}, {"robots", "6"}})},
+        {"isthmus", settings({{"vertices", "20"}, {"longest_isthmus", "4"}, {"free", "6"}})},
+        {"tree", settings({{"vertices", "15"}, {"occupancy", "0.5"}})},
+        {"cycle_leaves", settings({{"cycle_size", "3"}, {"bridge_length", "2"}, {"robots", "3"}})},
+        {"grid", settings({{"width", "5"}, {"height", "3"}, {"obstacles", "0.3"}, {"free", "3"}})},
+        {"maze", settings({{"width", "9"}, {"height", "7"}, {"occupancy", "0.2"}})},
+        {"rooms", settings({{"width", "11"}, {"height", "8"}, {"room", "3"}, {"robots", "9"}})},
+        {"warehouse", settings({{"columns", "2"}, {"rows", "2"}, {"margin", "2"}, {"robots", "9"}})},
     };
     return kSamples;
 }

@@ -391,8 +391,8 @@ TEST(Formats, AreListedInTheCatalog)
     }
     EXPECT_EQ(names, (std::set<std::string>{"graphml", "graphrec", "instance", "movingai_map",
                                             "movingai_scenario", "solution"}));
-    EXPECT_EQ(catalog.problems.names(),
-              (std::vector<std::string>{"fully_controlled", "small_benchmark", "public_benchmark"}));
+    for (const char *model : {"fully_controlled", "small_benchmark", "public_benchmark"})
+        EXPECT_NE(catalog.problems.find(model), nullptr) << model;
 }
 
 } // namespace

@@ -1,0 +1,41 @@
+#pragma once
+/// \file
+/// A map divided into chambers by walls one cell thick, into which doors are cut: mazes and rooms.
+
+#include "problems/generators/CellMap.h"
+
+namespace mrpp
+{
+
+class Chambers
+{
+public:
+    /// All doors closed. Chambers are squares of `size` cells, the last of each row and column larger where
+    /// that fills the map. \pre no number is 0
+    Chambers(std::size_t width, std::size_t height, std::size_t size);
+
+    [[nodiscard]] std::size_t columns() const { return columns_; }
+    [[nodiscard]] std::size_t rows() const { return rows_; }
+    [[nodiscard]] std::size_t count() const { return columns_ * rows_; }
+
+    /// Opens the wall between a chamber and a later neighbour (numbered row by row), `length` cells of it
+    /// from `offset` on. \pre they share a wall of so many cells
+    void open(std::size_t chamber, std::size_t neighbor, std::size_t offset, std::size_t length);
+    /// How many cells the wall between them has.
+    [[nodiscard]] std::size_t wallLength(std::size_t chamber, std::size_t neighbor) const;
+
+    [[nodiscard]] std::shared_ptr<const Graph> graph() const { return cells_.graph(); }
+
+private:
+    [[nodiscard]] bool isBeside(std::size_t chamber, std::size_t neighbor) const
+    {
+        return neighbor == chamber + 1 && neighbor % columns_ != 0;
+    }
+
+    std::size_t size_;
+    std::size_t columns_;
+    std::size_t rows_;
+    CellMap cells_;
+};
+
+} // namespace mrpp
