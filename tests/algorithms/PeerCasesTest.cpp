@@ -33,8 +33,6 @@ struct PeerCase
     std::size_t robots;
     double searches; ///< most time, in breadth-first searches
     double ratio;    ///< most moves after optimizing, over the lower bound
-
-    friend std::ostream &operator<<(std::ostream &out, const PeerCase &c) { return out << c.name; }
 };
 
 class PeerCases : public testing::TestWithParam<PeerCase>

@@ -53,8 +53,6 @@ struct Limits
     std::size_t fewest;    ///< exact optimum, or a lower bound
     std::size_t most;      ///< what was published, or measured for another planner
     std::size_t optimized; ///< at most so many moves after redundancy removal
-
-    friend std::ostream &operator<<(std::ostream &out, const Limits &l) { return out << l.problem; }
 };
 
 class SmallProblems : public testing::TestWithParam<Limits>
@@ -99,8 +97,6 @@ struct Regression
     std::vector<std::pair<Vertex, Vertex>> edges;
     std::vector<Vertex> starts;
     std::vector<Vertex> goals;
-
-    friend std::ostream &operator<<(std::ostream &out, const Regression &r) { return out << r.what; }
 };
 
 class Regressions : public testing::TestWithParam<Regression>
