@@ -89,6 +89,10 @@ Examples:
     command->add_option("PLAN", arguments->plan, "The plan, a YAML file")->required();
     optional(*command, "-o,--output", arguments->folder, "The campaign's folder [results/CAMPAIGN]")
         ->type_name("DIR");
+    command
+        ->add_option("--maps", arguments->maps, "Where the plan's maps and scenarios are looked for besides")
+        ->type_name("DIR")
+        ->allow_extra_args(false);
     optional(*command, "--jobs", arguments->jobs, "Runs at once [the plan's]")
         ->type_name("N")
         ->check(wholeNumberFrom(1));

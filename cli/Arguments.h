@@ -20,6 +20,7 @@ struct RunArguments
 {
     std::filesystem::path plan;
     std::optional<std::filesystem::path> folder; ///< results/CAMPAIGN where not given
+    std::vector<std::filesystem::path> maps;     ///< where the plan's files are looked for besides
     std::optional<std::int64_t> jobs;            ///< the plan's where not given
     std::int64_t shard = 1;
     std::int64_t shards = 1;

@@ -23,7 +23,7 @@ BenchmarkPlan planOf(const std::filesystem::path &folder, const Catalog &catalog
                         "`mrppsim run` makes one");
     const Provenance provenance = Provenance::fromJson(readFile(provenanceFile), provenanceFile);
     return parsePlan(readFile(copy), std::filesystem::path(provenance.planFolder) / provenance.planFile,
-                     catalog);
+                     catalog, {provenance.mapFolders.begin(), provenance.mapFolders.end()});
 }
 
 } // namespace

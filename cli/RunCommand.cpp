@@ -80,6 +80,8 @@ void sayHowToGoOn(const RunArguments &arguments, const Benchmark::Summary &summa
               << "; to go on: mrppsim run " << arguments.plan.string();
     if (arguments.folder)
         std::cerr << " -o " << arguments.folder->string();
+    for (const std::filesystem::path &maps : arguments.maps)
+        std::cerr << " --maps " << maps.string();
     if (arguments.jobs)
         std::cerr << " --jobs " << *arguments.jobs;
     if (arguments.shards > 1)
@@ -122,7 +124,7 @@ Benchmark::Summary runCampaign(Benchmark &benchmark, const RunArguments &argumen
 
 ExitCode run(const RunArguments &arguments, const Catalog &catalog)
 {
-    BenchmarkPlan plan = readPlan(arguments.plan, catalog);
+    BenchmarkPlan plan = readPlan(arguments.plan, catalog, arguments.maps);
     const std::filesystem::path folder =
         arguments.folder.value_or(std::filesystem::path("results") / plan.campaign);
     if (arguments.dryRun)

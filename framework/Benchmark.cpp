@@ -98,6 +98,8 @@ Provenance provenanceOf(const BenchmarkPlan &plan, const std::filesystem::path &
     provenance.campaign = plan.campaign;
     provenance.planFile = plan.file.filename().string();
     provenance.planFolder = std::filesystem::absolute(plan.file).parent_path().string();
+    for (const std::filesystem::path &maps : plan.mapFolders)
+        provenance.mapFolders.push_back(std::filesystem::absolute(maps).lexically_normal().string());
     provenance.planFingerprint = Fingerprint().add(plan.text).hex();
     provenance.seed = static_cast<std::int64_t>(plan.seed);
     provenance.started = utcNow();

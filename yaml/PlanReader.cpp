@@ -256,6 +256,23 @@ std::vector<std::string> readReports(const Config::Entry &entry, const Catalog &
     return reports;
 }
 
+/// A folder, or a list of them; relative ones start at the plan's.
+void readMapFolders(const Config::Entry &entry, const std::filesystem::path &start,
+                    std::vector<std::filesystem::path> &folders)
+{
+    if (!entry.value.isList())
+    {
+        folders.push_back(start / textOf(entry));
+        return;
+    }
+    for (const Config &folder : itemsOf(entry, "folders"))
+    {
+        if (!folder.isScalar())
+            throw PlanError(folder.where(), "'maps' takes folders' paths");
+        folders.push_back(start / folder.text());
+    }
+}
+
 bool isFileNameSafe(const std::string &name)
 {
     constexpr std::size_t kLongest = 100;
@@ -300,12 +317,16 @@ BenchmarkPlan parsePlan(const std::string &text, const std::filesystem::path &fi
     requireMap(root, top, "a plan is a map of keys: campaign, problems, planners, …");
     checkKeys(root, "a plan",
               {"campaign", "seed", "repetitions", "limits", "problems", "planners", "optimizers", "reports",
-               "motion", "execution", "keep"});
-
-    ProblemContext context{&catalog, {file.parent_path()}};
-    context.searchPaths.insert(context.searchPaths.end(), searchPaths.begin(), searchPaths.end());
+               "motion", "execution", "keep", "maps"});
 
     BenchmarkPlan plan;
+    plan.mapFolders = searchPaths;
+    for (const Config::Entry &entry : root.entries())
+        if (entry.key == "maps")
+            readMapFolders(entry, file.parent_path(), plan.mapFolders);
+    ProblemContext context{&catalog, {file.parent_path()}};
+    context.searchPaths.insert(context.searchPaths.end(), plan.mapFolders.begin(), plan.mapFolders.end());
+
     plan.text = text;
     plan.file = file;
     plan.campaign = readCampaign(root, file);

@@ -73,6 +73,8 @@ struct BenchmarkPlan
     Keep keep;
     std::string text;           ///< the plan file, verbatim
     std::filesystem::path file; ///< where it was read
+    std::vector<std::filesystem::path>
+        mapFolders; ///< where its relative files are looked for beside its folder
 };
 
 /// One run before it happens. Indices are into the plan.

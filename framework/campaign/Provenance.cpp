@@ -52,6 +52,7 @@ void forEachField(Record &record, Visitor &&visit)
     visit("seed", record.seed);
     visit("plan_file", record.planFile);
     visit("plan_folder", record.planFolder);
+    visit("map_folders", record.mapFolders);
     visit("plan_fingerprint", record.planFingerprint);
     visit("started", record.started);
     visit("finished", record.finished);

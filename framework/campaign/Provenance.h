@@ -24,8 +24,9 @@ struct Provenance
     std::string started;  ///< UTC, ISO 8601, of the campaign's first start
     std::string finished; ///< of its last run; empty while it runs
     std::string campaign;
-    std::string planFile;   ///< the plan's file name
-    std::string planFolder; ///< where its relative paths start
+    std::string planFile;                ///< the plan's file name
+    std::string planFolder;              ///< where its relative paths start
+    std::vector<std::string> mapFolders; ///< and where they are looked for besides
     std::string planFingerprint;
     std::int64_t seed = 0;
     std::vector<std::string> libraries; ///< "SQLite 3.40.1", …

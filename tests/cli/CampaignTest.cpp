@@ -103,6 +103,22 @@ void expectSameCampaign(const Scratch &scratch, const std::string &a, const std:
     EXPECT_TRUE(lastingResults(scratch, a) == lastingResults(scratch, b));
 }
 
+TEST(Campaign, findsItsMapsWhereItIsTold)
+{
+    const Scratch scratch;
+    scratch.write("there/room.map", "type octile\nheight 2\nwidth 3\nmap\n...\n...\n");
+    const std::string rest = "problems: [public_benchmark: {map: room.map, robots: 2}]\n"
+                             "planners: [push_and_swap]\nreports: [csv]\n";
+    scratch.write("bare.yaml", rest);
+    scratch.write("told.yaml", "maps: there\n" + rest);
+    EXPECT_EQ(mrppsim({"run", "bare.yaml"}, scratch).code, 2);
+    EXPECT_EQ(mrppsim({"run", "bare.yaml", "--maps", "there"}, scratch).code, 0);
+    EXPECT_EQ(mrppsim({"run", "told.yaml"}, scratch).code, 0);
+    // The report knows it too: an instance can be drawn.
+    EXPECT_EQ(mrppsim({"report", "results/bare", "--only", "layouts"}, scratch).code, 0);
+    EXPECT_TRUE(scratch.has("results/bare/layouts/public_benchmark-room.svg"));
+}
+
 TEST(Campaign, aSecondTimeKeepsEverythingAndRunsNothing)
 {
     const Scratch scratch;

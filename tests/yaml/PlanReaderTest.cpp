@@ -72,6 +72,14 @@ keep: {instances: true, solutions: false}
     EXPECT_EQ(read.file, "folder/my_plan.yaml");
 }
 
+TEST(PlanReader, looksForMapsWhereThePlanSays)
+{
+    const std::string rest = "problems: [puzzle]\nplanners: [runner]\n";
+    EXPECT_THAT(plan("maps: there\n" + rest).mapFolders, ElementsAre("folder/there"));
+    EXPECT_THAT(plan("maps: [../a, /b]\n" + rest).mapFolders, ElementsAre("folder/../a", "/b"));
+    EXPECT_TRUE(plan(rest).mapFolders.empty());
+}
+
 TEST(PlanReader, hasDefaults)
 {
     const BenchmarkPlan read = plan("problems: [puzzle]\nplanners: [runner]\n");
