@@ -2,6 +2,7 @@
 
 #include "framework/support/Error.h"
 #include "framework/support/File.h"
+#include "reports/KeyFacts.h"
 #include "reports/drawing/CampaignFigures.h"
 #include "reports/drawing/CampaignLayouts.h"
 #include "reports/drawing/FigureScript.h"
@@ -20,10 +21,12 @@ namespace mrpp
 namespace
 {
 
-constexpr double kFigureHeight = 640;      // points
-constexpr double kCurvesHeight = 290;      // points: two and their captions fill a page
-constexpr double kLayoutHeight = 560;      // points, of a layout that has the width for itself
-constexpr double kSmallLayoutHeight = 215; // points, of one beside another
+constexpr double kFigureHeight = 640;    // points
+constexpr double kHalfPageHeight = 280;  // points: two and their captions fill a page
+constexpr double kHalvedAtMost = 400;    // points: higher figures would become too small
+constexpr double kLayoutHeight = 560;    // points, of a layout that has the width for itself
+constexpr double kPairHeight = 215;      // points, of two layouts beside each other
+constexpr double kSmallPairHeight = 162; // points: three such pairs and their captions fill a page
 
 /// The figure as `charts` left it, if it shows these very results; else drawn now.
 std::string figurePdf(const Figure &figure, const std::filesystem::path &figures)
@@ -89,6 +92,9 @@ void addTitlePage(PdfPages &pages, const ResultTable &results, const Provenance 
         pages.paragraph("No run has finished yet.");
         return;
     }
+    pages.section("In short");
+    for (const std::string &fact : keyFacts(results))
+        pages.paragraph(fact);
     const SummaryTable planners = plannerTable(records);
     pages.section(planners.title);
     pages.table(planners.columns, planners.rows);
@@ -136,9 +142,8 @@ void addFigures(PdfPages &pages, const ResultTable &results, const std::filesyst
         {
             drawing.missing = error.what();
         }
-        constexpr std::size_t kShortLegend = 6;
-        const bool isCompact = figure.kind == Figure::Kind::curves && figure.series.size() <= kShortLegend;
-        pages.drawings({drawing}, 1, isCompact ? kCurvesHeight : kFigureHeight);
+        const bool isLow = drawing.missing.empty() && pageSize(drawing.pdf).second <= kHalvedAtMost;
+        pages.drawings({drawing}, 1, isLow ? kHalfPageHeight : kFigureHeight);
     }
 }
 
@@ -149,12 +154,19 @@ void addLayouts(PdfPages &pages, const ResultTable &results)
     if (plans.empty())
         return;
     pages.chapter("Instances");
+    pages.paragraph(
+        "Filled vertices are starts, with the robot's number; rings are goals, with a flag and the "
+        "number of their robot. On large maps discs are starts and squares of the same colour goals. "
+        "Coloured lines are the routes of a solution, grey where more than four robots passed; on "
+        "large maps those of up to 60 robots.");
     std::vector<PdfDrawing> pair;
+    double pairHeight = kSmallPairHeight;
     const auto flush = [&]
     {
         if (!pair.empty())
-            pages.drawings(pair, 2, kSmallLayoutHeight);
+            pages.drawings(pair, 2, pairHeight);
         pair.clear();
+        pairHeight = kSmallPairHeight;
     };
     for (const LayoutPlan &plan : plans)
     {
@@ -174,6 +186,9 @@ void addLayouts(PdfPages &pages, const ResultTable &results)
             pages.drawings({drawing}, 1, kLayoutHeight);
             continue;
         }
+        constexpr std::int64_t kTinyGraph = 60;
+        if (plan.runs.front()->vertices.value_or(0) > kTinyGraph)
+            pairHeight = kPairHeight;
         pair.push_back(std::move(drawing));
         if (pair.size() == 2)
             flush();

@@ -1,6 +1,7 @@
 #include "reports/drawing/Axis.h"
 
 #include "framework/support/Config.h"
+#include "reports/drawing/Numbers.h"
 
 #include <algorithm>
 #include <array>
@@ -20,23 +21,67 @@ bool spansDecades(double least, double most)
     return least > 0 && most / least > kTwoDecades;
 }
 
-/// A named tic at each power of ten within the range and small ones between; over many decades fewer names.
+/// A named tic at each power of ten within the range and small ones between; over many decades fewer names,
+/// over few also at 2 and 5.
 std::vector<Tic> decadeTics(double least, double most)
 {
     constexpr int kNamed = 8;
     const int first = static_cast<int>(std::floor(std::log10(least)));
     const int last = static_cast<int>(std::ceil(std::log10(most)));
     const int stride = (last - first) / kNamed + 1;
+    const auto isWithin = [&](double at) { return at >= least && at <= most; };
+    int powers = 0;
+    bool isPlain = true;
+    for (int exponent = first; exponent <= last; ++exponent)
+        if (isWithin(std::pow(10.0, exponent)))
+        {
+            ++powers;
+            constexpr int kLeastPlain = -3;
+            constexpr int kMostPlain = 6;
+            isPlain = isPlain && exponent >= kLeastPlain && exponent <= kMostPlain;
+        }
+    constexpr int kFew = 3;
     std::vector<Tic> tics;
     for (int exponent = first; exponent <= last; ++exponent)
         for (int digit = 1; digit <= 9; ++digit)
         {
             const double at = digit * std::pow(10.0, exponent);
-            if (at < least || at > most || (digit > 1 && stride > 1))
+            if (!isWithin(at) || (digit > 1 && stride > 1))
                 continue;
-            const bool named = digit == 1 && (exponent - first) % stride == 0;
-            tics.push_back({at, named ? powerOfTen(exponent) : std::string()});
+            const bool named =
+                digit == 1 ? (exponent - first) % stride == 0 : powers < kFew && (digit == 2 || digit == 5);
+            std::string label;
+            if (named && isPlain)
+                label = groupedNumber(at, std::max(0, -exponent));
+            else if (named)
+                label = (digit == 1 ? "" : std::to_string(digit) + "·") + powerOfTen(exponent);
+            tics.push_back({at, std::move(label)});
         }
+    return tics;
+}
+
+/// Four to eleven tics at multiples of 1, 2 or 5 times a power of ten, all named in one style.
+std::vector<Tic> evenTics(double least, double most)
+{
+    constexpr double kStepsAtLeast = 4;
+    const double room = (most - least) / kStepsAtLeast;
+    int exponent = static_cast<int>(std::floor(std::log10(room)));
+    const double digits = room / std::pow(10.0, exponent);
+    const double digit = digits >= 5 ? 5 : digits >= 2 ? 2 : 1;
+    const double step = digit * std::pow(10.0, exponent);
+    constexpr double kMostPlain = 1e7;
+    constexpr int kLeastPlain = -4;
+    const bool isPlain = std::max(std::abs(least), std::abs(most)) < kMostPlain && exponent >= kLeastPlain;
+    std::vector<Tic> tics;
+    for (double i = std::ceil(least / step); i * step <= most; ++i)
+    {
+        std::string label = "0";
+        if (isPlain)
+            label = groupedNumber(i * step, std::max(0, -exponent));
+        else if (i != 0)
+            label = groupedNumber(i * digit, 0) + "·" + powerOfTen(exponent);
+        tics.push_back({i == 0 ? 0 : i * step, i == 0 ? "0" : std::move(label)});
+    }
     return tics;
 }
 
@@ -44,8 +89,6 @@ std::vector<Tic> decadeTics(double least, double most)
 
 std::string powerOfTen(int exponent)
 {
-    if (exponent >= -3 && exponent <= 3)
-        return formatNumber(std::pow(10.0, exponent));
     constexpr std::array<const char *, 10> kRaised = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
     std::string text = exponent < 0 ? "10⁻" : "10";
     for (const char digit : std::to_string(std::abs(exponent)))
@@ -66,7 +109,9 @@ Axis measureAxis(const std::vector<double> &values)
         return {true, from, to, decadeTics(from, to)};
     }
     constexpr double kRoom = 1.06;
-    return {false, std::min(0.0, *least), *most > 0 ? *most * kRoom : 1.0, {}};
+    const double from = std::min(0.0, *least);
+    const double to = *most > 0 ? *most * kRoom : 1.0;
+    return {false, from, to, evenTics(from, to)};
 }
 
 Axis sweepAxis(std::vector<double> values)
@@ -104,6 +149,8 @@ Axis sweepAxis(std::vector<double> values)
             axis.tics.push_back({value, formatNumber(value)});
     else if (logarithmic)
         axis.tics = decadeTics(axis.least, axis.most);
+    else
+        axis.tics = evenTics(axis.least, axis.most);
     return axis;
 }
 

@@ -20,7 +20,7 @@ struct Axis
     bool logarithmic = false;
     double least = 0;
     double most = 1;
-    std::vector<Tic> tics; ///< empty: whatever gnuplot chooses
+    std::vector<Tic> tics; ///< empty where there are no values
 };
 
 /// For measures: logarithmic where all values are positive and span more than two decades, else from zero.
@@ -30,7 +30,7 @@ struct Axis
 /// lie far enough apart, logarithmic where they span more than two decades.
 [[nodiscard]] Axis sweepAxis(std::vector<double> values);
 
-/// "0.01", "1", "1000", then "10⁴": a power of ten as a tic.
+/// "10⁴", for axes whose tics would be too long as plain numbers.
 [[nodiscard]] std::string powerOfTen(int exponent);
 
 } // namespace mrpp

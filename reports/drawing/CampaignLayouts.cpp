@@ -80,17 +80,10 @@ Layout drawLayout(const ResultTable &results, const LayoutPlan &plan)
     Layout layout;
     layout.picture = drawInstance(*instance, solution ? &*solution : nullptr,
                                   ellipsize(plan.title, kTitleCharacters) + "\n" + size);
-    const bool isMap = graph.vertexCount() > kLargestGraph;
-    layout.caption =
-        fmt::format("{}: {}. {}{}", plan.title, size,
-                    isMap ? "Discs are starts and squares of the same colour goals."
-                          : "Filled vertices are starts, with the robot's number; rings are goals, with a "
-                            "flag and the number of their robot.",
-                    !solution ? " No solution is kept."
-                              : fmt::format(" Coloured lines are the routes of {}'s solution ({}){}.",
-                                            planner, counted(solution->pathLength(), "move"),
-                                            isMap ? ", of up to 60 robots"
-                                                  : "; grey where more than four robots passed"));
+    layout.caption = fmt::format(
+        "{}: {}. {}", plan.title, size,
+        !solution ? "No solution is kept."
+                  : fmt::format("Routes: {}, {}.", planner, counted(solution->pathLength(), "move")));
     return layout;
 }
 

@@ -26,7 +26,7 @@ struct LayoutPlan
 struct Layout
 {
     Picture picture;
-    std::string caption; ///< can stand alone
+    std::string caption; ///< what it is, its size and whose routes
 };
 
 /// Makes the instance again and draws it, with the routes of the first kept solution.

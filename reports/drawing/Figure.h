@@ -47,7 +47,7 @@ struct Figure
     std::string title;    ///< within the picture
     std::string caption;  ///< can stand alone
     std::string variable; ///< title of the swept variable's axis
-    std::string measure;  ///< title of the measure's axis: "Time (s)"
+    std::string measure;  ///< what the numbers are: "Time (s)"; an axis may show ms
     bool isPercentage =
         false; ///< the measure is a share in percent, so there is no panel of success beside it
     std::vector<std::string> rows; ///< problems of a comparison, from the top

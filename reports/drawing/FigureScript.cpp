@@ -2,6 +2,7 @@
 
 #include "framework/support/Config.h"
 #include "reports/drawing/Axis.h"
+#include "reports/drawing/Numbers.h"
 #include "reports/drawing/Palette.h"
 #include "reports/drawing/Text.h"
 
@@ -84,6 +85,8 @@ private:
     Page page_;
     Axis measure_;
     Axis sweep_;
+    double unit_ = 1; ///< the axis shows values divided by it
+    std::string measureText_;
 
     [[nodiscard]] bool hasSuccessPanel() const { return !figure_.isPercentage; }
     [[nodiscard]] bool hasBounds() const { return !figure_.bounds.empty(); }
@@ -125,6 +128,9 @@ private:
         }
         for (const FigureBound &bound : figure_.bounds)
             values.push_back(bound.value);
+        chooseUnit(values);
+        for (double &value : values)
+            value /= unit_;
         measure_ = figure_.isPercentage
                        ? Axis{false, -4, 104, {{0, "0"}, {25, "25"}, {50, "50"}, {75, "75"}, {100, "100"}}}
                        : measureAxis(values);
@@ -158,6 +164,21 @@ private:
         page_.height = page_.top + kTitleHeight;
     }
 
+    /// Times are shown in a unit that keeps the axis free of tiny numbers; the .csv keeps seconds.
+    void chooseUnit(const std::vector<double> &values)
+    {
+        constexpr std::string_view kSeconds = " (s)";
+        measureText_ = figure_.measure;
+        if (values.empty() || !figure_.measure.ends_with(kSeconds))
+            return;
+        const TimeUnit unit = measureAxis(values).logarithmic
+                                  ? timeUnit(values)
+                                  : timeUnit(*std::max_element(values.begin(), values.end()));
+        unit_ = unit.seconds;
+        measureText_.resize(measureText_.size() - kSeconds.size());
+        measureText_ += fmt::format(" ({})", unit.name);
+    }
+
     [[nodiscard]] double rowHeight() const
     {
         return std::max(0.6, 0.2 * static_cast<double>(figure_.series.size()) + 0.2);
@@ -174,7 +195,7 @@ private:
         { out_ << name << " = " << gnuplotString(text) << "\n"; };
         define("file_name", figure_.name);
         define("title_text", ellipsize(oneLine(figure_.title), kTitleCharacters));
-        define("measure_text", figure_.measure);
+        define("measure_text", measureText_);
         if (figure_.kind == Figure::Kind::curves)
             define("variable_text", ellipsize(oneLine(figure_.variable), kTitleCharacters));
         for (std::size_t i = 0; i < figure_.series.size(); ++i)
@@ -218,8 +239,9 @@ private:
                 const auto runs = static_cast<double>(point.runs);
                 success[0].push_back({point.at + shift, runs > 0 ? 100 * solved / runs : 0});
                 if (point.value)
-                    values.back().push_back({point.at + shift, point.value->median, point.value->q1,
-                                             point.value->q3, solved, runs, 0});
+                    values.back().push_back({point.at + shift, point.value->median / unit_,
+                                             point.value->q1 / unit_, point.value->q3 / unit_, solved, runs,
+                                             0});
                 else if (!values.back().empty())
                     values.emplace_back();
             }
@@ -236,9 +258,9 @@ private:
         Blocks bounds(1);
         for (const FigureBound &bound : figure_.bounds)
             if (figure_.kind == Figure::Kind::comparison)
-                bounds[0].push_back({bound.value, bound.at - 0.42, 0, 0.84});
+                bounds[0].push_back({bound.value / unit_, bound.at - 0.42, 0, 0.84});
             else
-                bounds[0].push_back({bound.at, bound.value});
+                bounds[0].push_back({bound.at, bound.value / unit_});
         if (hasBounds())
             writeBlock("bounds", bounds);
     }

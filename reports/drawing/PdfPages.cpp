@@ -25,6 +25,8 @@ constexpr double kMargin = 56;
 constexpr double kTextWidth = kPageWidth - 2 * kMargin;
 constexpr double kBottom = kPageHeight - kMargin - 12;
 constexpr double kCellGap = 7;
+constexpr double kTableFont = 7.5;
+constexpr double kSmallestTableFont = 5;
 
 struct LayoutDeleter
 {
@@ -34,11 +36,11 @@ using TextLayout = std::unique_ptr<PangoLayout, LayoutDeleter>;
 
 struct TextStyle
 {
-    const char *font = "DejaVu Sans 9";
+    std::string font = "DejaVu Sans 9";
     double width = kTextWidth;
     PangoAlignment alignment = PANGO_ALIGN_LEFT;
-    int lines = 0; ///< at most so many, the last ending in "…"; 0: any number
-    bool wrapsAnywhere = false;
+    int lines = 0;   ///< at most so many, the last ending in "…"; 0: any number
+    double hang = 0; ///< indentation of all lines but the first
 };
 
 } // namespace
@@ -75,11 +77,12 @@ struct PdfPages::State
         pango_attr_list_insert(attributes, pango_attr_insert_hyphens_new(FALSE));
         pango_layout_set_attributes(made.get(), attributes);
         pango_attr_list_unref(attributes);
-        PangoFontDescription *font = pango_font_description_from_string(style.font);
+        PangoFontDescription *font = pango_font_description_from_string(style.font.c_str());
         pango_layout_set_font_description(made.get(), font);
         pango_font_description_free(font);
         pango_layout_set_width(made.get(), static_cast<int>(style.width * PANGO_SCALE));
-        pango_layout_set_wrap(made.get(), style.wrapsAnywhere ? PANGO_WRAP_CHAR : PANGO_WRAP_WORD_CHAR);
+        pango_layout_set_wrap(made.get(), PANGO_WRAP_WORD_CHAR);
+        pango_layout_set_indent(made.get(), -static_cast<int>(style.hang * PANGO_SCALE));
         pango_layout_set_alignment(made.get(), style.alignment);
         if (style.lines > 0)
         {
@@ -172,6 +175,94 @@ struct LaidRow
     double height = 0;
 };
 
+/// What a table's column asks for, in points.
+struct ColumnNeed
+{
+    double least = 0;   ///< numbers in full, the words of headings
+    double natural = 0; ///< with nothing wrapped
+};
+
+std::vector<ColumnNeed> columnNeeds(const PdfPages::State &state, const std::vector<PdfTableColumn> &columns,
+                                    const std::vector<std::vector<PdfTableCell>> &rows, double fontSize)
+{
+    constexpr double kLeastText = 60; // points, for text that wraps
+    constexpr double kRoom = 0.5;     // against rounding
+    const TextLayout ruler = state.layout("", {fmt::format("DejaVu Sans Bold {}", fontSize), -1});
+    const auto widthOf = [&](std::string_view text)
+    {
+        pango_layout_set_text(ruler.get(), text.data(), static_cast<int>(text.size()));
+        PangoRectangle size;
+        pango_layout_get_extents(ruler.get(), nullptr, &size);
+        return static_cast<double>(size.width) / PANGO_SCALE + kRoom;
+    };
+    std::vector<ColumnNeed> needs;
+    for (std::size_t c = 0; c < columns.size(); ++c)
+    {
+        ColumnNeed need;
+        const std::string title = oneLine(columns[c].title);
+        for (std::size_t begin = 0; begin < title.size();)
+        {
+            const std::size_t end = std::min(title.find(' ', begin), title.size());
+            need.least = std::max(need.least, widthOf(std::string_view(title).substr(begin, end - begin)));
+            begin = end + 1;
+        }
+        double widest = 0;
+        for (const std::vector<PdfTableCell> &row : rows)
+            widest = std::max(widest, widthOf(oneLine(row[c].text)));
+        need.natural = std::max(need.least, widest);
+        need.least = std::max(need.least, columns[c].isRight ? widest : std::min(widest, kLeastText));
+        needs.push_back(need);
+    }
+    return needs;
+}
+
+/// Widths that fill the page with the gaps between them. Every column gets the least it needs, and of the
+/// rest first those that want little more. Nothing where the least does not fit, unless `mayFail` is false.
+std::vector<double> shareWidth(const std::vector<ColumnNeed> &needs, bool mayFail)
+{
+    std::vector<double> widths;
+    double rest = kTextWidth - kCellGap * static_cast<double>(needs.size() - 1);
+    for (const ColumnNeed &need : needs)
+    {
+        widths.push_back(need.least);
+        rest -= need.least;
+    }
+    if (rest < 0)
+    {
+        if (mayFail)
+            return {};
+        const double sum = std::accumulate(widths.begin(), widths.end(), 0.0);
+        for (double &width : widths)
+            width *= (sum + rest) / sum;
+        return widths;
+    }
+    std::vector<std::size_t> order(needs.size());
+    std::iota(order.begin(), order.end(), 0);
+    const auto wish = [&](std::size_t c) { return needs[c].natural - needs[c].least; };
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return wish(a) < wish(b); });
+    for (std::size_t i = 0; i < order.size(); ++i)
+    {
+        const double given = std::min(wish(order[i]), rest / static_cast<double>(order.size() - i));
+        widths[order[i]] += given;
+        rest -= given;
+    }
+    for (double &width : widths)
+        width += rest / static_cast<double>(widths.size());
+    return widths;
+}
+
+/// Lets a name that is too long for its cell go on in the next line behind an underscore.
+std::string breakable(const std::string &text, bool isLong)
+{
+    if (!isLong)
+        return text;
+    std::string result;
+    for (const char c : text)
+        result += c == '_' ? std::string("_\u200B") : std::string(1, c);
+    return result;
+}
+
 } // namespace
 
 PdfPages::PdfPages(std::string title, std::string footer) : state_(std::make_unique<State>())
@@ -250,7 +341,12 @@ void PdfPages::verbatim(const std::string &text)
     {
         const std::size_t end = std::min(clean.find('\n', begin), clean.size());
         const std::string line = clean.substr(begin, end - begin);
-        s.text(line.empty() ? " " : line, {"DejaVu Sans Mono 7.5", kTextWidth, PANGO_ALIGN_LEFT, 0, true},
+        constexpr double kCharacter = 7 * 0.602; // width of this font
+        constexpr std::size_t kDeepest = 40;
+        const std::size_t blanks = std::min({line.find_first_not_of(' '), line.size(), kDeepest});
+        s.text(line.empty() ? " " : line,
+               {"DejaVu Sans Mono 7", kTextWidth, PANGO_ALIGN_LEFT, 0,
+                static_cast<double>(blanks + 4) * kCharacter},
                0.5);
         begin = end + 1;
     }
@@ -262,21 +358,25 @@ void PdfPages::table(const std::vector<PdfTableColumn> &columns,
 {
     State &s = *state_;
     constexpr int kLinesACell = 2;
-    const double shares = std::accumulate(columns.begin(), columns.end(), 0.0,
-                                          [](double sum, const PdfTableColumn &c) { return sum + c.share; });
-    std::vector<double> lefts;
     std::vector<double> widths;
+    double fontSize = kTableFont;
+    for (; widths.empty(); fontSize -= 0.5)
+        widths = shareWidth(columnNeeds(s, columns, rows, fontSize), fontSize > kSmallestTableFont);
+    fontSize += 0.5;
+    const std::string plain = fmt::format("DejaVu Sans {}", fontSize);
+    const std::string bold = fmt::format("DejaVu Sans Bold {}", fontSize);
+    const std::string headingFont = fmt::format("DejaVu Sans Bold {}", fontSize - 1);
+    std::vector<double> lefts;
     double left = kMargin;
-    for (const PdfTableColumn &column : columns)
+    for (const double width : widths)
     {
         lefts.push_back(left);
-        widths.push_back(kTextWidth * column.share / shares - kCellGap);
-        left += kTextWidth * column.share / shares;
+        left += width + kCellGap;
     }
-    const auto lay = [&](std::size_t column, const std::string &text, const char *font, int lines)
+    const auto lay = [&](std::size_t column, const std::string &text, const std::string &font, int lines)
     {
         return s.layout(
-            oneLine(text),
+            breakable(oneLine(text), characterCount(text) * fontSize * 0.55 > widths[column]),
             {font, widths[column], columns[column].isRight ? PANGO_ALIGN_RIGHT : PANGO_ALIGN_LEFT, lines});
     };
 
@@ -285,7 +385,7 @@ void PdfPages::table(const std::vector<PdfTableColumn> &columns,
         LaidRow heading;
         for (std::size_t c = 0; c < columns.size(); ++c)
         {
-            heading.cells.push_back(lay(c, columns[c].title, "DejaVu Sans Bold 6.5", 3));
+            heading.cells.push_back(lay(c, columns[c].title, headingFont, 3));
             heading.height = std::max(heading.height, State::heightOf(heading.cells.back()));
         }
         s.line(s.y, 0.9, 0.1);
@@ -308,8 +408,8 @@ void PdfPages::table(const std::vector<PdfTableColumn> &columns,
         for (std::size_t c = 0; c < columns.size(); ++c)
         {
             const bool isBold = row[c].emphasis == PdfTableCell::Emphasis::best;
-            laid.cells.push_back(lay(c, row[c].text, isBold ? "DejaVu Sans Bold 7.5" : "DejaVu Sans 7.5",
-                                     columns[c].isRight ? 1 : kLinesACell));
+            laid.cells.push_back(
+                lay(c, row[c].text, isBold ? bold : plain, columns[c].isRight ? 0 : kLinesACell));
             if (c > 0 || !continuesGroup)
                 laid.height = std::max(laid.height, State::heightOf(laid.cells.back()));
         }

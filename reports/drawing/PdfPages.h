@@ -15,8 +15,7 @@ namespace mrpp
 struct PdfTableColumn
 {
     std::string title;
-    double share = 1;     ///< of the table's width, relative to the other columns
-    bool isRight = false; ///< numbers; they stay on one line, other cells wrap
+    bool isRight = false; ///< numbers: never cut or broken; other cells wrap
 };
 
 struct PdfTableCell
@@ -55,10 +54,11 @@ public:
     void paragraph(const std::string &text);
     /// Names and values in two columns.
     void facts(const std::vector<std::pair<std::string, std::string>> &pairs);
-    /// Verbatim, in a font of fixed width, lines wrapped.
+    /// Verbatim, in a font of fixed width; more than 110 characters wrap at a blank, indented.
     void verbatim(const std::string &text);
-    /// The heading is repeated on every page. A row whose first cell begins with a text other than the row's
-    /// before it gets a line above.
+    /// Columns are as wide as their contents want; where that is too much, text wraps and numbers keep their
+    /// room, if need be in a smaller font. The heading is repeated on every page. A row whose first cell
+    /// begins with a text other than the row's before it gets a line above.
     void table(const std::vector<PdfTableColumn> &columns,
                const std::vector<std::vector<PdfTableCell>> &rows);
     /// Side by side in so many columns (\pre at least row.size()), at most `height` points high, with
@@ -69,8 +69,9 @@ public:
     /// \param created "2026-07-31T12:00:00Z", or empty for no date
     [[nodiscard]] std::string finish(const std::string &created);
 
+    struct State; ///< of the implementation alone
+
 private:
-    struct State;
     std::unique_ptr<State> state_;
 };
 

@@ -1,6 +1,8 @@
 #include "reports/drawing/SummaryTables.h"
 
 #include "framework/support/Config.h"
+#include "reports/drawing/CampaignFigures.h"
+#include "reports/drawing/Numbers.h"
 #include "reports/drawing/Text.h"
 
 #include <algorithm>
@@ -25,32 +27,28 @@ struct Measure
     const char *title;
     std::optional<Quartiles> (*summarize)(const RunGroup &);
     std::string (*format)(double);
-    double share;
 };
 
 std::string wholeNumber(double value)
 {
     return value == std::floor(value) ? fmt::format("{:.0f}", value) : fmt::format("{:.1f}", value);
 }
-std::string threeDigits(double value)
-{
-    return fmt::format("{:.3g}", value);
-}
 std::string twoDecimals(double value)
 {
     return fmt::format("{:.2f}", value);
 }
 
+constexpr std::size_t kTime = 5; ///< its place among the measures: shown in a unit of its own
 constexpr std::array<Measure, 6> kMeasures = {{
-    {"Path length", [](const RunGroup &g) { return g.overSolved("path_length"); }, wholeNumber, 1.15},
+    {"Path length", [](const RunGroup &g) { return g.overSolved("path_length"); }, wholeNumber},
     {"Path length, optimized", [](const RunGroup &g) { return g.overSolved("optimized_path_length"); },
-     wholeNumber, 1.25},
+     wholeNumber},
     {"Path length / bound",
-     [](const RunGroup &g) { return g.ratio("path_length", "path_length_lower_bound"); }, twoDecimals, 1.15},
-    {"Makespan", [](const RunGroup &g) { return g.overSolved("makespan"); }, wholeNumber, 1.25},
-    {"Makespan, optimized", [](const RunGroup &g) { return g.overSolved("optimized_makespan"); }, wholeNumber,
-     1.3},
-    {"Time (s)", [](const RunGroup &g) { return g.overSolved("time"); }, threeDigits, 1.15},
+     [](const RunGroup &g) { return g.ratio("path_length", "path_length_lower_bound"); }, twoDecimals},
+    {"Makespan", [](const RunGroup &g) { return g.overSolved("makespan"); }, wholeNumber},
+    {"Makespan, optimized", [](const RunGroup &g) { return g.overSolved("optimized_makespan"); },
+     wholeNumber},
+    {"Time", [](const RunGroup &g) { return g.overSolved("time"); }, threeDigits},
 }};
 
 std::string solvedOf(const RunGroup &group)
@@ -58,9 +56,24 @@ std::string solvedOf(const RunGroup &group)
     return fmt::format("{}/{}", group.solved(), group.runs.size());
 }
 
-/// The rows of one sweep point or problem. \param place first cell of each row
-void addRows(SummaryTable &table, const std::string &place, std::span<const RunGroup> groups)
+/// The groups of one sweep point or problem, which stand in rows below each other.
+struct Place
 {
+    std::string name; ///< first cell of each row
+    std::span<const RunGroup> groups;
+};
+
+/// A table before its numbers are written: their unit depends on all of them.
+struct Draft
+{
+    std::string title;
+    std::string placeTitle;
+    std::vector<Place> places;
+};
+
+void addRows(SummaryTable &table, const Place &place, const TimeUnit &unit)
+{
+    const std::span<const RunGroup> groups = place.groups;
     std::size_t mostSolved = 0;
     for (const RunGroup &group : groups)
         mostSolved = std::max(mostSolved, group.solved());
@@ -80,8 +93,9 @@ void addRows(SummaryTable &table, const std::string &place, std::span<const RunG
     for (std::size_t i = 0; i < groups.size(); ++i)
     {
         const bool failed = groups[i].solved() == 0;
-        std::vector<PdfTableCell> row = {
-            {place}, {groups[i].planner}, {solvedOf(groups[i]), failed ? Emphasis::warning : Emphasis::none}};
+        std::vector<PdfTableCell> row = {{place.name},
+                                         {groups[i].planner},
+                                         {solvedOf(groups[i]), failed ? Emphasis::warning : Emphasis::none}};
         for (std::size_t m = 0; m < kMeasures.size(); ++m)
         {
             if (!values[i][m])
@@ -91,19 +105,29 @@ void addRows(SummaryTable &table, const std::string &place, std::span<const RunG
             }
             const double median = values[i][m]->median;
             const bool isBest = groups.size() > 1 && groups[i].solved() == mostSolved && median == best[m];
-            row.push_back({kMeasures[m].format(median), isBest ? Emphasis::best : Emphasis::none});
+            const double shown = m == kTime ? median / unit.seconds : median;
+            row.push_back({kMeasures[m].format(shown), isBest ? Emphasis::best : Emphasis::none});
         }
         table.rows.push_back(std::move(row));
     }
 }
 
-SummaryTable emptyTable(std::string title, std::string place, double placeShare)
+SummaryTable makeTable(const Draft &draft)
 {
+    std::vector<double> times;
+    for (const Place &place : draft.places)
+        for (const RunGroup &group : place.groups)
+            if (const auto time = kMeasures[kTime].summarize(group))
+                times.push_back(time->median);
+    const TimeUnit unit = timeUnit(times);
     SummaryTable table;
-    table.title = std::move(title);
-    table.columns = {{std::move(place), placeShare}, {"Planner", 2.6}, {"Solved / runs", 1.0, true}};
+    table.title = draft.title;
+    table.columns = {{draft.placeTitle}, {"Planner"}, {"Solved / runs", true}};
     for (const Measure &measure : kMeasures)
-        table.columns.push_back({measure.title, measure.share, true});
+        table.columns.push_back({measure.title, true});
+    table.columns.back().title += fmt::format(" ({})", unit.name);
+    for (const Place &place : draft.places)
+        addRows(table, place, unit);
     return table;
 }
 
@@ -111,30 +135,35 @@ SummaryTable emptyTable(std::string title, std::string place, double placeShare)
 
 std::vector<SummaryTable> summaryTables(std::span<const RunRecord> records)
 {
-    std::vector<SummaryTable> tables;
+    const std::vector<ProblemSummary> problems = summarizeProblems(records);
+    std::vector<Draft> drafts;
     std::map<std::string, std::size_t> unswept; // by family
-    for (const ProblemSummary &problem : summarizeProblems(records))
+    for (const ProblemSummary &problem : problems)
     {
         const std::span<const RunGroup> groups(problem.groups);
         if (!problem.swept())
         {
-            const auto [position, isNew] = unswept.try_emplace(problem.model, tables.size());
+            const auto [position, isNew] = unswept.try_emplace(problem.model, drafts.size());
             if (isNew)
-                tables.push_back(emptyTable(spaced(problem.model), "Problem", 2.55));
-            addRows(tables[position->second], problem.problem, groups);
+                drafts.push_back({spaced(problem.model), "Problem", {}});
+            drafts[position->second].places.push_back({problem.problem, groups});
             continue;
         }
-        tables.push_back(emptyTable(fmt::format("{} ({}) against {}", problem.problem, spaced(problem.model),
-                                                spaced(problem.sweepVariable)),
-                                    spaced(problem.sweepVariable), 1.2));
+        drafts.push_back({fmt::format("{} ({}) against {}", problem.problem, spaced(problem.model),
+                                      spaced(problem.sweepVariable)),
+                          variableTitle(problem.sweepVariable),
+                          {}});
         for (std::size_t first = 0, last = 0; first < groups.size(); first = last)
         {
             while (last < groups.size() && groups[last].sweepValue == groups[first].sweepValue)
                 ++last;
-            addRows(tables.back(), formatNumber(groups[first].sweepValue.value_or(0)),
-                    groups.subspan(first, last - first));
+            drafts.back().places.push_back(
+                {formatNumber(groups[first].sweepValue.value_or(0)), groups.subspan(first, last - first)});
         }
     }
+    std::vector<SummaryTable> tables;
+    for (const Draft &draft : drafts)
+        tables.push_back(makeTable(draft));
     return tables;
 }
 
@@ -150,11 +179,7 @@ SummaryTable plannerTable(std::span<const RunRecord> records)
     }
     SummaryTable table;
     table.title = "Planners";
-    table.columns = {{"Planner", 2.5},
-                     {"Runs", 0.6, true},
-                     {"Solved", 0.6, true},
-                     {"Solved (%)", 0.8, true},
-                     {"Other ends", 3}};
+    table.columns = {{"Planner"}, {"Runs", true}, {"Solved", true}, {"Solved (%)", true}, {"Other ends"}};
     for (const std::string &planner : planners)
     {
         std::size_t runs = 0;
@@ -204,8 +229,7 @@ SummaryTable failureTable(std::span<const RunRecord> records, std::size_t limit)
 
     SummaryTable table;
     table.title = "Runs without a solution";
-    table.columns = {
-        {"Planner", 2}, {"Status", 1.1}, {"Runs", 0.6, true}, {"Reason", 4}, {"First case", 2.3}};
+    table.columns = {{"Planner"}, {"Status"}, {"Runs", true}, {"Reason"}, {"First case"}};
     for (const Failure &failure : failures)
     {
         if (table.rows.size() == limit)

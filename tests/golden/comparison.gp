@@ -3,22 +3,22 @@ reset
 set encoding utf8
 file_name = 'small_benchmark-time'
 title_text = 'Time, small benchmark problems'
-measure_text = 'Time (s)'
+measure_text = 'Time (ms)'
 label_0 = 'push_and_swap (8/8 solved)'
 label_1 = 'fails often (8/8 solved)'
 row_0 = 'tree'
 row_1 = 'grid 100%%'
 $values_0 << e
--0.2 0.005635 0.0052675 0.006125 4 4 0
-0.8 0.009315 0.0087075 0.010125 4 4 0
+-0.2 5.635 5.2675 6.125 4 4 0
+0.8 9.315 8.7075 10.125 4 4 0
 e
 $success_0 << e
 -0.2 100
 0.8 100
 e
 $values_1 << e
-0.2 0.0073255 0.00684775 0.0079625 4 4 0
-1.2 0.0121095 0.01131975 0.0131625 4 4 0
+0.2 7.3255 6.84775 7.9625 4 4 0
+1.2 12.1095 11.31975 13.1625 4 4 0
 e
 $success_1 << e
 0.2 100
@@ -41,9 +41,8 @@ set rmargin at screen 0.78125
 set bmargin at screen 0.40763
 set tmargin at screen 0.80924
 unset logscale x
-set xrange [0:0.01395225]
-set xtics autofreq
-set format x '%.10g'
+set xrange [0:13.95225]
+set xtics ('0' 0, '2' 2, '4' 4, '6' 6, '8' 8, '10' 10, '12' 12)
 set yrange [1.5:-0.5]
 set ytics (row_0 0, row_1 1) scale 0
 set grid noytics

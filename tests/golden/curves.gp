@@ -58,8 +58,7 @@ set xrange [0.91:4.09]
 set xtics ('' 1, '' 2, '' 3, '' 4)
 unset logscale y
 set yrange [0:68.37]
-set ytics autofreq
-set format y '%.10g'
+set ytics ('0' 0, '10' 10, '20' 20, '30' 30, '40' 40, '50' 50, '60' 60)
 set label 1 measure_text at screen 0.03438,0.64613 center rotate noenhanced
 set title title_text noenhanced font title_font offset 0,-0.2
 set key at screen 0.04,0.01249 left bottom horizontal Left reverse noenhanced samplen 3 spacing 1.1 width 1 maxcols 2

@@ -55,12 +55,12 @@ TEST(PdfReport, StandsAlone)
 {
     const TemporaryFolder folder;
     const std::string text = reportText(smallCampaign().run(solveSmoothly), folder.path());
-    expectWords(text,
-                {"demo & <b>more</b>", "12 finished of 12 planned: 12 solved, 0 not", "push_and_swap",
-                 "0123456789abcdef0123456789abcdef01234567", "2026-07-31T12:34:56Z", "Debian GNU/Linux 12",
-                 "Every run ended with a valid solution.", "<i>verbatim</i> & more",
-                 "Figure 1. Path length on grid (fg vr) against robots", "Solved (%)", "Time (s)",
-                 "Figure 6. Success rate on grid", "tree: 7 vertices, 6 edges, 3 robots"});
+    expectWords(text, {"demo & <b>more</b>", "12 finished of 12 planned: 12 solved, 0 not", "push_and_swap",
+                       "0123456789abcdef0123456789abcdef01234567", "2026-07-31T12:34:56Z",
+                       "Debian GNU/Linux 12", "Every run ended with a valid solution.",
+                       "<i>verbatim</i> & more", "Figure 1. Path length on grid (fg vr) against robots",
+                       "Solved (%)", "Time (ms)", "Figure 6. Success rate on grid",
+                       "tree: 7 vertices, 6 edges, 3 robots", "Of 12 finished runs, 12 solved."});
 }
 
 TEST(PdfReport, WritesTheSameBytesAgain)

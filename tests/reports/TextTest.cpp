@@ -1,5 +1,6 @@
 #include "reports/drawing/Text.h"
 #include "reports/drawing/Axis.h"
+#include "reports/drawing/Numbers.h"
 #include "reports/drawing/Palette.h"
 
 #include <gtest/gtest.h>
@@ -84,16 +85,56 @@ TEST(SweepAxis, NamesEveryValueWhereThereIsRoom)
     std::vector<double> many;
     for (int i = 1; i <= 30; ++i)
         many.push_back(i);
-    EXPECT_TRUE(sweepAxis(many).tics.empty());
+    const Axis even = sweepAxis(many);
+    ASSERT_EQ(even.tics.size(), 6U);
+    EXPECT_EQ(even.tics[1].label, "10");
     const Axis single = sweepAxis({5});
     EXPECT_LT(single.least, 5);
     EXPECT_GT(single.most, 5);
 }
 
-TEST(PowerOfTen, IsShort)
+std::string labels(const Axis &axis)
 {
-    EXPECT_EQ(powerOfTen(-3), "0.001");
-    EXPECT_EQ(powerOfTen(3), "1000");
+    std::string text;
+    for (const Tic &tic : axis.tics)
+        if (!tic.label.empty())
+            text += tic.label + "|";
+    return text;
+}
+
+TEST(MeasureAxis, NamesTicsInOneStyle)
+{
+    EXPECT_EQ(labels(measureAxis({15, 20000})), "100|1000|10\u202F000|");
+    EXPECT_EQ(labels(measureAxis({15, 4000})), "20|50|100|200|500|1000|2000|5000|");
+    EXPECT_EQ(labels(measureAxis({0.5, 2e8})), "10¹|10³|10⁵|10⁷|");
+    EXPECT_EQ(labels(measureAxis({12, 21})), "0|5|10|15|20|");
+    EXPECT_EQ(labels(measureAxis({0, 0.9})), "0|0.2|0.4|0.6|0.8|");
+    EXPECT_EQ(labels(measureAxis({1e6, 5e6})),
+              "0|1\u202F000\u202F000|2\u202F000\u202F000|3\u202F000\u202F000|4\u202F000\u202F000|"
+              "5\u202F000\u202F000|");
+    EXPECT_EQ(labels(measureAxis({1e8, 5e8})), "0|1·10⁸|2·10⁸|3·10⁸|4·10⁸|5·10⁸|");
+}
+
+TEST(ThreeDigits, HaveNoExponents)
+{
+    EXPECT_EQ(threeDigits(12.54), "12.5");
+    EXPECT_EQ(threeDigits(9.999), "10.0");
+    EXPECT_EQ(threeDigits(0.00123456), "0.00123");
+    EXPECT_EQ(threeDigits(1234567), "1234567");
+    EXPECT_EQ(threeDigits(0), "0");
+}
+
+TEST(TimeUnit, KeepsNumbersShort)
+{
+    EXPECT_STREQ(timeUnit(2e-5).name, "µs");
+    EXPECT_STREQ(timeUnit(0.5).name, "ms");
+    EXPECT_STREQ(timeUnit(1).name, "s");
+    EXPECT_STREQ(timeUnit(std::vector<double>{0, 1e-6, 10}).name, "ms");
+    EXPECT_STREQ(timeUnit(std::vector<double>{}).name, "s");
+}
+
+TEST(PowerOfTen, IsRaised)
+{
     EXPECT_EQ(powerOfTen(12), "10¹²");
     EXPECT_EQ(powerOfTen(-6), "10⁻⁶");
 }
