@@ -12,26 +12,16 @@
 /// Robots and vertices count from 0. Rows are sorted by step, steps are 0, 1, 2, … without gaps, the rows of
 /// one step happen at once, waits are not written.
 
-#include "framework/evaluation/Validator.h"
 #include "framework/model/Schedule.h"
 #include "framework/model/Solution.h"
+#include "problems/formats/SolutionRows.h"
 
 #include <filesystem>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace mrpp
 {
-
-struct SolutionRows
-{
-    std::string file; ///< for messages
-    std::vector<TimedMove> moves;
-
-    /// The line of a row, for messages about moves that break the rules.
-    [[nodiscard]] std::size_t lineOf(std::size_t row) const { return row + 2; }
-};
 
 /// Reads the rows as they are; whether they make sense is the validator's business. Throws ParseError where
 /// the heading is another, a row has not four cells, or a cell is no whole number. O(file).

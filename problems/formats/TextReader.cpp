@@ -1,12 +1,14 @@
 #include "problems/formats/TextReader.h"
 
+#include "framework/support/Config.h"
+
 #include <algorithm>
 
 namespace mrpp
 {
 
 TextReader::TextReader(std::string_view text, std::string file)
-    : rest_(withoutByteOrderMark(text)), file_(std::move(file))
+    : rest_(withoutByteOrderMark(text)), file_(std::move(file)), size_(rest_.size())
 {}
 
 std::optional<std::string_view> TextReader::next()
@@ -66,6 +68,43 @@ std::string_view LineCursor::until(std::string_view stops)
     const std::string_view found = line_.substr(position_, end - position_);
     position_ = end;
     return trimmed(found);
+}
+
+std::string_view LineCursor::digits()
+{
+    skipBlanks();
+    const bool hasSign = position_ < line_.size() && (line_[position_] == '-' || line_[position_] == '+');
+    const std::size_t first = position_ + (hasSign ? 1 : 0);
+    const std::size_t end = std::min(line_.find_first_not_of("0123456789", first), line_.size());
+    if (end <= first)
+        return {};
+    const std::string_view found = line_.substr(position_, end - position_);
+    position_ = end;
+    return found;
+}
+
+void expectText(const TextReader &reader, LineCursor &cursor, std::string_view text, std::string_view form)
+{
+    if (!cursor.take(text))
+        reader.fail(cursor.column(),
+                    "expected '" + std::string(text) + "' here, as in '" + std::string(form) + "'");
+}
+
+std::int64_t expectInteger(const TextReader &reader, LineCursor &cursor, std::string_view what)
+{
+    const std::size_t column = cursor.column();
+    const std::string_view text = cursor.digits();
+    const auto value = parseInteger(text);
+    if (!value)
+        reader.fail(column, text.empty() ? "expected a whole number here, the " + std::string(what)
+                                         : inQuotes(text) + " is too large for a " + std::string(what));
+    return *value;
+}
+
+void expectEnd(const TextReader &reader, LineCursor &cursor, std::string_view form)
+{
+    if (!cursor.atEnd())
+        reader.fail(cursor.column(), "expected the line's end here, as in '" + std::string(form) + "'");
 }
 
 std::string_view trimmed(std::string_view text)

@@ -30,6 +30,9 @@ public:
     /// The number of the line that next() gave last; 0 before the first.
     [[nodiscard]] std::size_t line() const { return line_; }
 
+    /// Bytes of the whole text: a bound for what can stand in it.
+    [[nodiscard]] std::size_t size() const { return size_; }
+
     /// Throws ParseError at a column of the current line, or at a place anywhere.
     [[noreturn]] void fail(std::size_t column, const std::string &what) const;
     [[noreturn]] void fail(std::size_t line, std::size_t column, const std::string &what) const;
@@ -37,6 +40,7 @@ public:
 private:
     std::string_view rest_;
     std::string file_;
+    std::size_t size_ = 0;
     std::size_t line_ = 0;
 };
 
@@ -59,12 +63,25 @@ public:
     /// The next run of characters that are no blanks.
     [[nodiscard]] std::string_view word() { return until(" \t"); }
 
+    /// The next run of digits, with a sign in front where there is one; empty where something else comes.
+    [[nodiscard]] std::string_view digits();
+
 private:
     void skipBlanks();
 
     std::string_view line_;
     std::size_t position_ = 0;
 };
+
+/// Takes the text. Throws ParseError where something else comes.
+/// \param form an example of the whole line, for the message
+void expectText(const TextReader &reader, LineCursor &cursor, std::string_view text, std::string_view form);
+
+/// Takes a whole number. Throws ParseError where there is none, or one beyond 64 bits.
+[[nodiscard]] std::int64_t expectInteger(const TextReader &reader, LineCursor &cursor, std::string_view what);
+
+/// Throws ParseError unless the line is at its end.
+void expectEnd(const TextReader &reader, LineCursor &cursor, std::string_view form);
 
 /// Without blanks, tabs and line ends at both ends.
 [[nodiscard]] std::string_view trimmed(std::string_view text);
