@@ -9,6 +9,7 @@
 #include <iterator>
 #include <sys/stat.h>
 #include <unistd.h>
+#include <utility>
 
 namespace mrpp
 {
@@ -32,45 +33,59 @@ std::string readFile(const std::filesystem::path &path)
 
 void writeFile(const std::filesystem::path &path, std::string_view contents)
 {
-    const auto fail = [&path](const char *step)
-    {
-        throw FileError({path.string()},
-                        std::string("cannot be written (") + step + "): " + std::strerror(errno));
-    };
+    FileWriter writer(path);
+    writer.write(contents);
+    writer.commit();
+}
 
+FileWriter::FileWriter(std::filesystem::path path) : path_(std::move(path))
+{
     std::error_code error;
-    if (path.has_parent_path())
-        std::filesystem::create_directories(path.parent_path(), error);
-    std::string temporary = path.string() + ".XXXXXX";
-    const int file = ::mkostemp(temporary.data(), O_CLOEXEC);
-    if (file < 0)
+    if (path_.has_parent_path())
+        std::filesystem::create_directories(path_.parent_path(), error);
+    std::string name = path_.string() + ".XXXXXX";
+    file_ = ::mkostemp(name.data(), O_CLOEXEC);
+    if (file_ < 0)
         fail("create");
+    temporary_ = std::move(name);
+}
+
+FileWriter::~FileWriter()
+{
+    if (file_ >= 0)
+        ::close(file_);
+    if (!temporary_.empty())
+        ::unlink(temporary_.c_str());
+}
+
+void FileWriter::write(std::string_view contents)
+{
     while (!contents.empty())
     {
-        const ssize_t written = ::write(file, contents.data(), contents.size());
+        const ssize_t written = ::write(file_, contents.data(), contents.size());
         if (written < 0 && errno == EINTR)
             continue;
         if (written < 0)
-        {
-            const int reason = errno;
-            ::close(file);
-            ::unlink(temporary.c_str());
-            errno = reason;
             fail("write");
-        }
         contents.remove_prefix(static_cast<std::size_t>(written));
     }
+}
+
+void FileWriter::commit()
+{
     constexpr mode_t kReadableByAll = 0644;
-    ::fchmod(file, kReadableByAll);
-    const bool flushed = ::fsync(file) == 0;
-    const bool closed = ::close(file) == 0;
-    if (!flushed || !closed || ::rename(temporary.c_str(), path.c_str()) != 0)
-    {
-        const int reason = errno;
-        ::unlink(temporary.c_str());
-        errno = reason;
+    ::fchmod(file_, kReadableByAll);
+    const bool flushed = ::fsync(file_) == 0;
+    const bool closed = ::close(std::exchange(file_, -1)) == 0;
+    if (!flushed || !closed || ::rename(temporary_.c_str(), path_.c_str()) != 0)
         fail("rename");
-    }
+    temporary_.clear();
+}
+
+void FileWriter::fail(const char *step) const
+{
+    throw FileError({path_.string()},
+                    std::string("cannot be written (") + step + "): " + std::strerror(errno));
 }
 
 } // namespace mrpp

@@ -16,4 +16,35 @@ namespace mrpp
 /// Replaces the file as a whole or not at all; makes its folder where that is missing. Throws FileError.
 void writeFile(const std::filesystem::path &path, std::string_view contents);
 
+/// The same for contents that come piece by piece and need not fit into the memory.
+///
+/// \code
+/// FileWriter file("moves.txt");
+/// file.write("a piece");
+/// file.commit();
+/// \endcode
+class FileWriter
+{
+public:
+    /// Makes a temporary file beside the target, and the target's folder where that is missing. Throws
+    /// FileError.
+    explicit FileWriter(std::filesystem::path path);
+    /// Drops what was not committed.
+    ~FileWriter();
+    FileWriter(const FileWriter &) = delete;
+    FileWriter &operator=(const FileWriter &) = delete;
+
+    /// Throws FileError.
+    void write(std::string_view contents);
+    /// Replaces the target by what was written. Throws FileError. To be called once, as the last.
+    void commit();
+
+private:
+    [[noreturn]] void fail(const char *step) const;
+
+    std::filesystem::path path_;
+    std::string temporary_; ///< empty once it is gone
+    int file_ = -1;
+};
+
 } // namespace mrpp

@@ -210,9 +210,14 @@ void saveSolution(const std::filesystem::path &file, const Schedule &schedule)
     writeFile(file, formatSolutionCsv(schedule));
 }
 
-void saveAnimation(const std::filesystem::path &file, const Instance &instance, const Schedule &schedule)
+void saveAnimation(const std::filesystem::path &file, const Instance &instance, const Schedule &schedule,
+                   MotionRule rule)
 {
-    writeFile(file, formatGraphRec(instance, schedule));
+    FileWriter writer(file);
+    writeGraphRec(instance, schedule, rule,
+                  file.extension() == ".xml" ? GraphRecForm::xml : GraphRecForm::text,
+                  [&writer](std::string_view piece) { writer.write(piece); });
+    writer.commit();
 }
 
 std::vector<FileFormat> fileFormats()

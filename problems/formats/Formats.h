@@ -9,6 +9,7 @@
 
 #include "framework/Catalog.h"
 #include "framework/model/Instance.h"
+#include "framework/model/MotionRule.h"
 #include "framework/model/Schedule.h"
 #include "framework/model/Solution.h"
 #include "problems/formats/MovingAiMap.h"
@@ -67,8 +68,11 @@ void saveInstance(const std::filesystem::path &file, const Instance &instance,
 void saveSolution(const std::filesystem::path &file, const Solution &solution);
 void saveSolution(const std::filesystem::path &file, const Schedule &schedule);
 
-/// Writes a GraphRec animation, see GraphRec.h.
-void saveAnimation(const std::filesystem::path &file, const Instance &instance, const Schedule &schedule);
+/// Writes a GraphRec animation piece by piece: `.xml` as GraphRec's XML, everything else as its text, see
+/// GraphRec.h.
+/// \pre the schedule is legal on the instance under the rule
+void saveAnimation(const std::filesystem::path &file, const Instance &instance, const Schedule &schedule,
+                   MotionRule rule = MotionRule::rotation);
 
 /// What the functions above know, for `mrppsim list formats`.
 [[nodiscard]] std::vector<FileFormat> fileFormats();

@@ -1,7 +1,9 @@
 #include "problems/formats/GraphRec.h"
 
-#include <array>
-#include <charconv>
+#include "framework/support/Error.h"
+#include "problems/formats/TextWriter.h"
+
+#include <algorithm>
 #include <cmath>
 
 namespace mrpp
@@ -9,39 +11,6 @@ namespace mrpp
 
 namespace
 {
-
-class Writer
-{
-public:
-    template <class... Parts>
-    void line(const Parts &...parts)
-    {
-        (append(parts), ...);
-        text_ += '\n';
-    }
-
-    [[nodiscard]] std::string take() { return std::move(text_); }
-
-private:
-    void append(std::string_view part) { text_ += part; }
-    void append(char part) { text_ += part; }
-    void append(std::uint64_t number)
-    {
-        std::array<char, 20> digits{};
-        text_.append(digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr);
-    }
-    /// GraphRec reads no exponents.
-    void append(double number)
-    {
-        std::array<char, 400> digits{};
-        const double rounded = std::round(number * 100) / 100 + 0.0; // + 0.0 turns −0 into 0
-        text_.append(digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), rounded,
-                                                  std::chars_format::fixed, 2)
-                                        .ptr);
-    }
-
-    std::string text_;
-};
 
 /// How many units of GraphRec one unit of the coordinates takes, for neighbours to lie well apart on average.
 double scaleOf(const Graph &graph)
@@ -59,51 +28,203 @@ double scaleOf(const Graph &graph)
     return std::isfinite(scale) && scale > 0 ? scale : wanted;
 }
 
-void writePositions(Writer &out, const Graph &graph)
+class Writer
 {
-    const double scale = scaleOf(graph);
-    const double down = graph.yAxis() == YAxis::down ? scale : -scale;
-    out.line("POS =");
-    for (Vertex v = 0; v < graph.vertexCount(); ++v)
-        out.line(std::uint64_t{v} + 1, ":X", graph.coordinate(v).x * scale, ":Y",
-                 graph.coordinate(v).y * down);
-}
+public:
+    Writer(const Instance &instance, const Schedule &schedule, MotionRule rule, const TextSink &sink)
+        : instance_(instance), graph_(*instance.graph), schedule_(schedule),
+          follows_(rule >= MotionRule::following), sink_(sink)
+    {
+        if (graph_.hasCoordinates())
+            scale_ = scaleOf(graph_);
+    }
+
+    void writeText()
+    {
+        const std::vector<std::uint64_t> robotAt = owners(instance_.starts);
+        const std::vector<std::uint64_t> goalOf = owners(instance_.goals);
+        out_.line("id:1");
+        out_.line("V =");
+        for (Vertex v = 0; v < graph_.vertexCount(); ++v)
+            line('(', id(v), ":0)[", robotAt[v], ':', goalOf[v], ':', goalOf[v], ']');
+        out_.line("E =");
+        for (const Graph::Edge &edge : graph_.edges())
+            line('{', id(edge.a), ',', id(edge.b), "} (0)");
+        out_.line("MOD =");
+        out_.line(follows_ ? "M:TRANSITIVE" : "M:IMMEDIATE");
+        if (graph_.hasCoordinates())
+        {
+            out_.line("POS =");
+            for (Vertex v = 0; v < graph_.vertexCount(); ++v)
+            {
+                out_.add(id(v), ":X");
+                out_.addFixed(x(v));
+                out_.add(":Y");
+                out_.addFixed(y(v));
+                line();
+            }
+        }
+        out_.line("Solution");
+        forEachMove([&](std::uint64_t step, const Move &move)
+                    { line(id(move.from), " ---> ", id(move.to), " (", step, ')'); });
+        out_.line("Length:", std::uint64_t{schedule_.pathLength()});
+        flush();
+    }
+
+    void writeXml()
+    {
+        const std::vector<std::uint64_t> robotAt = owners(instance_.starts);
+        out_.line("<!DOCTYPE graphrec>");
+        out_.line("<graphrec version=\"1.0\">");
+        out_.line("  <solution id=\"1\">");
+        out_.line("    <graph>");
+        for (std::uint64_t robot = 1; robot <= instance_.robotCount(); ++robot)
+            line("      <entity id=\"", robot, "\"/>");
+        for (Vertex v = 0; v < graph_.vertexCount(); ++v)
+        {
+            out_.add("      <node id=\"", id(v), '"');
+            if (robotAt[v] != 0)
+                out_.add(" ent=\"", robotAt[v], '"');
+            if (graph_.hasCoordinates())
+            {
+                out_.add(" x=\"");
+                out_.addFixed(x(v));
+                out_.add("\" y=\"");
+                out_.addFixed(y(v));
+                out_.add('"');
+            }
+            line("/>");
+        }
+        for (const Graph::Edge &edge : graph_.edges())
+            line("      <edge n1=\"", id(edge.a), "\" n2=\"", id(edge.b), "\"/>");
+        out_.line("    </graph>");
+        out_.line("    <scenario validator=\"", follows_ ? "Multirobot" : "Pebble", "\">");
+        forEachMove(
+            [&](std::uint64_t step, const Move &move) {
+                line("      <move tms=\"", step, "\" src=\"", id(move.from), "\" dst=\"", id(move.to),
+                     "\"/>");
+            });
+        out_.line("    </scenario>");
+        out_.line("  </solution>");
+        out_.line("</graphrec>");
+        flush();
+    }
+
+private:
+    static std::uint64_t id(Vertex v) { return std::uint64_t{v} + 1; }
+
+    /// For each vertex the robot, from 1, whose place it is; 0 for nobody.
+    [[nodiscard]] std::vector<std::uint64_t> owners(const std::vector<Vertex> &places) const
+    {
+        std::vector<std::uint64_t> owner(graph_.vertexCount(), 0);
+        for (std::size_t robot = 0; robot < places.size(); ++robot)
+            owner[places[robot]] = robot + 1;
+        return owner;
+    }
+
+    [[nodiscard]] double x(Vertex v) const { return rounded(graph_.coordinate(v).x * scale_); }
+    [[nodiscard]] double y(Vertex v) const
+    {
+        return rounded(graph_.coordinate(v).y * (graph_.yAxis() == YAxis::down ? scale_ : -scale_));
+    }
+    static double rounded(double value)
+    {
+        return std::round(value * 100) / 100 + 0.0; // + 0.0 turns −0 into 0
+    }
+
+    template <class Visitor>
+    void forEachMove(Visitor &&visit)
+    {
+        std::uint64_t written = 0;
+        for (std::size_t s = 0; s < schedule_.makespan(); ++s)
+        {
+            for (const Move &move : schedule_.step(s))
+                visit(written, move);
+            written += schedule_.step(s).empty() ? 0 : 1;
+        }
+    }
+
+    template <class... Parts>
+    void line(const Parts &...parts)
+    {
+        constexpr std::size_t piece = 1 << 16;
+        out_.line(parts...);
+        if (out_.size() >= piece)
+            flush();
+    }
+
+    void flush()
+    {
+        sink_(out_.text());
+        out_.clear();
+    }
+
+    const Instance &instance_;
+    const Graph &graph_;
+    const Schedule &schedule_;
+    bool follows_;
+    double scale_ = 1;
+    const TextSink &sink_;
+    TextWriter out_;
+};
 
 } // namespace
 
-std::string formatGraphRec(const Instance &instance, const Schedule &schedule)
+void writeGraphRec(const Instance &instance, const Schedule &schedule, MotionRule rule, GraphRecForm form,
+                   const TextSink &sink)
 {
-    const Graph &graph = *instance.graph;
-    std::vector<std::uint64_t> robotAt(graph.vertexCount(), 0);
-    std::vector<std::uint64_t> goalOf(graph.vertexCount(), 0);
-    for (std::size_t r = 0; r < instance.robotCount(); ++r)
-    {
-        robotAt[instance.starts[r]] = r + 1;
-        goalOf[instance.goals[r]] = r + 1;
-    }
+    Writer writer(instance, schedule, rule, sink);
+    if (form == GraphRecForm::text)
+        writer.writeText();
+    else
+        writer.writeXml();
+}
 
-    Writer out;
-    out.line("id:1");
-    out.line("V =");
-    for (Vertex v = 0; v < graph.vertexCount(); ++v)
-        out.line('(', std::uint64_t{v} + 1, ":0)[", robotAt[v], ':', goalOf[v], ':', goalOf[v], ']');
-    out.line("E =");
-    for (const Graph::Edge &edge : graph.edges())
-        out.line('{', std::uint64_t{edge.a} + 1, ',', std::uint64_t{edge.b} + 1, "} (0)");
-    out.line("MOD =");
-    out.line("M:TRANSITIVE");
-    if (graph.hasCoordinates())
-        writePositions(out, graph);
-    out.line("Solution");
-    std::uint64_t written = 0;
-    for (std::size_t s = 0; s < schedule.makespan(); ++s)
+std::string formatGraphRec(const Instance &instance, const Schedule &schedule, MotionRule rule,
+                           GraphRecForm form)
+{
+    std::string text;
+    writeGraphRec(instance, schedule, rule, form, [&text](std::string_view piece) { text += piece; });
+    return text;
+}
+
+SolutionRows graphRecRows(const GraphRecFile &file, const Instance &instance)
+{
+    if (file.graph->vertexCount() != instance.graph->vertexCount())
+        throw ParseError({file.file}, "the graph in this file has " +
+                                          std::to_string(file.graph->vertexCount()) +
+                                          " vertices, but the instance's has " +
+                                          std::to_string(instance.graph->vertexCount()));
+    std::vector<GraphRecFile::TimedEdge> moves = file.moves;
+    std::stable_sort(moves.begin(), moves.end(),
+                     [](const auto &a, const auto &b) { return a.step < b.step; });
+    std::vector<Robot> occupant(instance.graph->vertexCount(), kNoRobot);
+    for (std::size_t robot = 0; robot < instance.robotCount(); ++robot)
+        occupant[instance.starts[robot]] = static_cast<Robot>(robot);
+
+    SolutionRows rows;
+    rows.file = file.file;
+    for (std::size_t first = 0; first < moves.size();)
     {
-        for (const Move &move : schedule.step(s))
-            out.line(std::uint64_t{move.from} + 1, " ---> ", std::uint64_t{move.to} + 1, " (", written, ')');
-        written += schedule.step(s).empty() ? 0 : 1;
+        std::size_t last = first;
+        for (; last < moves.size() && moves[last].step == moves[first].step; ++last)
+        {
+            const GraphRecFile::TimedEdge &move = moves[last];
+            const Robot robot = occupant[move.from];
+            if (robot == kNoRobot)
+                throw ParseError({file.file, move.line}, "nobody stands on vertex " +
+                                                             std::to_string(move.from) + " in step " +
+                                                             std::to_string(move.step));
+            rows.moves.push_back({move.step, robot, move.from, move.to});
+            rows.lines.push_back(move.line);
+        }
+        for (std::size_t i = first; i < last; ++i)
+            occupant[moves[i].from] = kNoRobot;
+        for (std::size_t i = first; i < last; ++i)
+            occupant[moves[i].to] = static_cast<Robot>(rows.moves[i].robot);
+        first = last;
     }
-    out.line("Length:", std::uint64_t{schedule.pathLength()});
-    return out.take();
+    return rows;
 }
 
 } // namespace mrpp

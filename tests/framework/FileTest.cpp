@@ -143,5 +143,22 @@ TEST(Memory, PeakGrowsWithWhatIsTouched)
 #endif
 }
 
+TEST_F(File, PiecesAreOneFileOnceCommitted)
+{
+    writeFile(folder_ / "x", "old");
+    {
+        FileWriter dropped(folder_ / "x");
+        dropped.write("half");
+    }
+    EXPECT_EQ(readFile(folder_ / "x"), "old");
+    FileWriter writer(folder_ / "x");
+    writer.write("one, ");
+    writer.write("two");
+    EXPECT_EQ(readFile(folder_ / "x"), "old");
+    writer.commit();
+    EXPECT_EQ(readFile(folder_ / "x"), "one, two");
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_), {}), 1);
+}
+
 } // namespace
 } // namespace mrpp
