@@ -146,8 +146,8 @@ Examples:
     const auto arguments = std::make_shared<SolveArguments>();
     const auto settings = std::make_shared<std::vector<std::string>>();
     optional(*command, "--graph", arguments->graph,
-             "GraphML or MovingAI map [the one that the instance names]");
-    command->add_option("--instance", arguments->instance, "Instance text or MovingAI scenario")
+             "The graph, in any format [the one that the instance names or holds]");
+    command->add_option("--instance", arguments->instance, "The instance, in any format")
         ->required()
         ->type_name("FILE");
     optional(*command, "--robots", arguments->robots, "Only the first N robots of the instance")
@@ -209,19 +209,41 @@ Examples:
   mrppsim validate --graph room.map --instance room.scen --solution moves.csv --motion following)");
     const auto arguments = std::make_shared<ValidateArguments>();
     optional(*command, "--graph", arguments->graph,
-             "GraphML or MovingAI map [the one that the instance names]");
-    command->add_option("--instance", arguments->instance, "Instance text or MovingAI scenario")
+             "The graph, in any format [the one that the instance names or holds]");
+    command->add_option("--instance", arguments->instance, "The instance, in any format")
         ->required()
         ->type_name("FILE");
     optional(*command, "--robots", arguments->robots, "Only the first N robots of the instance")
         ->type_name("N")
         ->check(wholeNumberFrom(0));
-    command->add_option("--solution", arguments->solution, "CSV with the columns step,robot,from,to")
+    command->add_option("--solution", arguments->solution, "The moves, in any format")
         ->required()
         ->type_name("FILE");
     arguments->motion = "rotation";
     command->add_option("--motion", arguments->motion, "The rule that the moves must obey [rotation]")
         ->check(oneOf(kMotionRules));
+    command->callback([arguments, &result] { result = *arguments; });
+}
+
+void addConvert(CLI::App &app, Arguments &result)
+{
+    CLI::App *command =
+        app.add_subcommand("convert", "Change a graph's, instance's or solution's file format");
+    command->footer(
+        R"(What the new format cannot say is named on the standard error. See `mrppsim list formats`.
+
+Examples:
+  mrppsim convert board.cpf board.graphml
+  mrppsim convert room.scen room.yaml --graph room.map
+  mrppsim convert moves.csv moves.txt --instance room.scen --to graphrec)");
+    const auto arguments = std::make_shared<ConvertArguments>();
+    command->add_option("IN", arguments->in, "A file of any format that is read")->required();
+    command->add_option("OUT", arguments->out, "The file to write")->required();
+    optional(*command, "--graph", arguments->graph,
+             "The graph of the instance [the one that it names or holds]");
+    optional(*command, "--instance", arguments->instance, "The instance that a solution belongs to");
+    optional(*command, "--to", arguments->format, "The format of OUT [by its extension]")
+        ->type_name("FORMAT");
     command->callback([arguments, &result] { result = *arguments; });
 }
 
@@ -297,6 +319,7 @@ Exit codes: 0 yes or done; 1 a truthful no; 2 wrong use or malformed input; 3 a 
     addReport(app, result);
     addSolve(app, result);
     addValidate(app, result);
+    addConvert(app, result);
     addList(app, result);
     for (CLI::App *command : app.get_subcommands({}))
         command->allow_extras();

@@ -62,6 +62,15 @@ struct ValidateArguments
     std::string motion;
 };
 
+struct ConvertArguments
+{
+    std::filesystem::path in;
+    std::filesystem::path out;
+    std::optional<std::filesystem::path> graph;
+    std::optional<std::filesystem::path> instance; ///< of a solution
+    std::optional<std::string> format;             ///< of `out`; by its extension where not given
+};
+
 struct ListArguments
 {
     std::string what; ///< planners, optimizers, problems, reports, metrics, formats
@@ -75,8 +84,8 @@ struct Answered
     ExitCode code = ExitCode::done;
 };
 
-using Arguments =
-    std::variant<Answered, RunArguments, ReportArguments, SolveArguments, ValidateArguments, ListArguments>;
+using Arguments = std::variant<Answered, RunArguments, ReportArguments, SolveArguments, ValidateArguments,
+                               ConvertArguments, ListArguments>;
 
 /// Prints help to the standard output, complaints to the standard error.
 [[nodiscard]] Arguments parseArguments(int count, const char *const *words);

@@ -14,6 +14,7 @@ namespace mrpp
 [[nodiscard]] ExitCode report(const ReportArguments &arguments, const Catalog &catalog);
 [[nodiscard]] ExitCode solve(const SolveArguments &arguments, const Catalog &catalog);
 [[nodiscard]] ExitCode validate(const ValidateArguments &arguments);
+[[nodiscard]] ExitCode convert(const ConvertArguments &arguments);
 [[nodiscard]] ExitCode list(const ListArguments &arguments, const Catalog &catalog);
 
 } // namespace mrpp

@@ -2,7 +2,6 @@
 #include "framework/evaluation/Validator.h"
 #include "framework/support/Error.h"
 #include "problems/formats/Formats.h"
-#include "problems/formats/SolutionCsv.h"
 
 #include <iostream>
 
@@ -16,7 +15,9 @@ ExitCode validate(const ValidateArguments &arguments)
     const LoadedInstance loaded = loadInstance({arguments.instance, arguments.graph, robots});
     for (const std::string &warning : loaded.warnings)
         std::cerr << "warning: " << warning << '\n';
-    const SolutionRows rows = readSolutionCsv(arguments.solution);
+    const SolutionRows rows = loadSolution(arguments.solution, loaded.instance);
+    for (const std::string &warning : rows.warnings)
+        std::cerr << "warning: " << warning << '\n';
     const Verdict verdict = validate(loaded.instance, rows.moves, *motionRule(arguments.motion));
     if (verdict.valid())
     {

@@ -27,6 +27,7 @@ struct Dispatch
     ExitCode operator()(const ReportArguments &arguments) const { return report(arguments, catalog); }
     ExitCode operator()(const SolveArguments &arguments) const { return solve(arguments, catalog); }
     ExitCode operator()(const ValidateArguments &arguments) const { return validate(arguments); }
+    ExitCode operator()(const ConvertArguments &arguments) const { return convert(arguments); }
     ExitCode operator()(const ListArguments &arguments) const { return list(arguments, catalog); }
 };
 

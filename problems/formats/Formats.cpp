@@ -1,15 +1,21 @@
 #include "problems/formats/Formats.h"
 
 #include "framework/support/File.h"
+#include "problems/formats/FormatId.h"
 #include "problems/formats/GraphMl.h"
 #include "problems/formats/GraphRec.h"
+#include "problems/formats/GraphText.h"
 #include "problems/formats/InstanceText.h"
+#include "problems/formats/Kei18.h"
+#include "problems/formats/LibMrpYaml.h"
 #include "problems/formats/MovingAiScenario.h"
+#include "problems/formats/Paths.h"
 #include "problems/formats/SolutionCsv.h"
+#include "problems/formats/Surynek.h"
 #include "problems/formats/TextReader.h"
+#include "problems/formats/Tracker.h"
 
 #include <algorithm>
-#include <cctype>
 
 namespace mrpp
 {
@@ -17,90 +23,101 @@ namespace mrpp
 namespace
 {
 
-enum class Kind
-{
-    graphMl,
-    map,
-    scenario,
-    instanceText,
-    unknown,
-};
-
-bool isOneOf(std::string_view word, std::initializer_list<std::string_view> words)
-{
-    return std::find(words.begin(), words.end(), word) != words.end();
-}
-
-/// By the first word; by the extension where that says nothing.
-Kind kindOf(const std::filesystem::path &file, std::string_view text)
-{
-    text = trimmed(withoutByteOrderMark(text));
-    if (!text.empty() && text.front() == '<')
-        return Kind::graphMl;
-    const std::string_view word = text.substr(0, text.find_first_of(" \t\r\n:="));
-    if (isOneOf(word, {"type", "height", "width", "map"}))
-        return Kind::map;
-    if (word == "version")
-        return Kind::scenario;
-    const std::string_view line = text.substr(0, text.find('\n'));
-    if (word == "agent" || (word == "graph" && line.find('=') != std::string_view::npos))
-        return Kind::instanceText;
-
-    std::string extension = file.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    if (isOneOf(extension, {".graphml", ".xml", ".gml"}))
-        return Kind::graphMl;
-    if (extension == ".map")
-        return Kind::map;
-    if (extension == ".scen")
-        return Kind::scenario;
-    return extension == ".instance" ? Kind::instanceText : Kind::unknown;
-}
-
 constexpr const char *kGraphFormats =
-    "a graph is a MovingAI map (.map) or GraphML (.graphml, .xml, .gml; begins with '<')";
+    "a graph is a MovingAI map (.map), GraphML (.graphml, .xml, .gml; begins with '<'), DIMACS or a list of "
+    "edges, or stands with its robots in .cpf, libMultiRobotPlanning's YAML or a GraphRec file";
 constexpr const char *kInstanceFormats =
-    "an instance is text ('graph = <file>', 'agent: start = <vertex>, goal = <vertex>') or a MovingAI "
-    "scenario (.scen)";
+    "an instance is text ('graph = <file>', 'agent: start = <vertex>, goal = <vertex>'), Surynek's .cpf, "
+    "Kei18's "
+    "text, libMultiRobotPlanning's YAML, a GraphRec file, or a MovingAI scenario (.scen)";
+constexpr const char *kSolutionFormats =
+    "a solution is CSV ('step,robot,from,to'), Surynek's, Kei18's or GraphRec's, paths of EECBS or LNS, a "
+    "schedule of libMultiRobotPlanning, or a plan of the MAPF tracker (CSV, JSON)";
+
+/// Throws: the file is of another kind than the one asked for, or of no known format.
+[[noreturn]] void refuseKind(FormatId format, const std::filesystem::path &file, const std::string &wanted,
+                             const char *formats)
+{
+    const std::string what = format == FormatId::unknown ? "of no known format"
+                             : holdsGraph(format)        ? "this is a graph, no " + wanted
+                             : holdsInstance(format)     ? "this is an instance, no " + wanted
+                                                         : "this is a solution, no " + wanted;
+    throw ParseError({file.string(), 1, 1}, what + "; " + formats);
+}
+
+LoadedGraph mapOnly(GridMap map)
+{
+    auto graph = map.graph;
+    return {std::move(graph), std::move(map), {}};
+}
 
 LoadedGraph parseGraph(const std::filesystem::path &file, std::string_view text)
 {
-    switch (kindOf(file, text))
+    const std::string name = file.string();
+    const FormatId format = formatOf(file, text);
+    switch (format)
     {
-    case Kind::graphMl: {
-        GraphMl read = parseGraphMl(text, file.string());
+    case FormatId::graphMl: {
+        GraphMl read = parseGraphMl(text, name);
         return {std::move(read.graph), std::nullopt, std::move(read.warnings)};
     }
-    case Kind::map: {
-        GridMap map = parseMovingAiMap(text, file.string());
-        auto graph = map.graph;
-        return {std::move(graph), std::move(map), {}};
+    case FormatId::movingAiMap:
+        return mapOnly(parseMovingAiMap(text, name));
+    case FormatId::dimacs: {
+        GraphText read = parseDimacs(text, name);
+        return {std::move(read.graph), std::nullopt, std::move(read.warnings)};
     }
-    case Kind::scenario:
-    case Kind::instanceText:
+    case FormatId::edgeList: {
+        GraphText read = parseEdgeList(text, name);
+        return {std::move(read.graph), std::nullopt, std::move(read.warnings)};
+    }
+    case FormatId::cpf: {
+        CpfProblem read = parseCpf(text, name);
+        return {std::move(read.instance.graph), std::nullopt, std::move(read.warnings)};
+    }
+    case FormatId::libMrpInstance: {
+        LibMrpInstance read = parseLibMrpInstance(text, name);
+        return {std::move(read.instance.graph), std::nullopt, std::move(read.warnings)};
+    }
+    case FormatId::graphRec:
+    case FormatId::graphRecXml: {
+        GraphRecFile read =
+            format == FormatId::graphRec ? parseGraphRec(text, name) : parseGraphRecXml(text, name);
+        return {std::move(read.graph), std::nullopt, std::move(read.warnings)};
+    }
+    default:
+        refuseKind(format, file, "graph", kGraphFormats);
+    }
+}
+
+/// The map of robots that are given by cells.
+LoadedGraph loadMapFor(const InstanceSource &source, const std::string &mapName)
+{
+    const std::filesystem::path file = source.graph ? *source.graph : source.instance.parent_path() / mapName;
+    std::error_code error;
+    if (!source.graph && (mapName.empty() || !std::filesystem::exists(file, error)))
+        throw FileError({source.instance.string()},
+                        "its map " + inQuotes(mapName) + " does not lie beside it; name the map's file");
+    LoadedGraph graph = loadGraph(file);
+    if (!graph.map)
         throw ParseError({file.string(), 1, 1},
-                         std::string("this is an instance, no graph; ") + kGraphFormats);
-    case Kind::unknown:
-        break;
-    }
-    throw ParseError({file.string(), 1, 1}, std::string("of no known format; ") + kGraphFormats);
+                         "this instance needs a MovingAI map, but this is another graph");
+    return graph;
 }
 
 LoadedInstance fromScenario(const InstanceSource &source, std::string_view text)
 {
     const Scenario scenario = parseMovingAiScenario(text, source.instance.string());
-    const std::filesystem::path file =
-        source.graph ? *source.graph : source.instance.parent_path() / scenario.mapName();
-    std::error_code error;
-    if (!source.graph && (scenario.records.empty() || !std::filesystem::exists(file, error)))
-        throw FileError({source.instance.string()}, "its map " + inQuotes(scenario.mapName()) +
-                                                        " does not lie beside it; name the map's file");
-    LoadedGraph graph = loadGraph(file);
-    if (!graph.map)
-        throw ParseError({file.string(), 1, 1}, "a scenario needs a MovingAI map, but this is another graph");
+    LoadedGraph graph = loadMapFor(source, scenario.mapName());
     return {scenarioInstance(scenario, *graph.map, source.robots.value_or(scenario.records.size())),
             std::move(graph.warnings)};
+}
+
+LoadedInstance fromKei18(const InstanceSource &source, std::string_view text)
+{
+    const Kei18Instance parsed = parseKei18Instance(text, source.instance.string());
+    LoadedGraph graph = loadMapFor(source, std::filesystem::path(parsed.map).filename().string());
+    return {kei18Instance(parsed, *graph.map), std::move(graph.warnings)};
 }
 
 LoadedInstance fromText(const InstanceSource &source, std::string_view text)
@@ -114,14 +131,71 @@ LoadedInstance fromText(const InstanceSource &source, std::string_view text)
         throw ParseError({parsed.file, parsed.graphLine, 1}, "there is no file " + inQuotes(parsed.graph) +
                                                                  " relative to the instance or beside it");
     LoadedGraph graph = loadGraph(source.graph ? *source.graph : parsed.graphPath());
-    Instance instance = textInstance(parsed, std::move(graph.graph));
-    if (source.robots && *source.robots > instance.robotCount())
-        throw InputError({parsed.file}, "there are " + std::to_string(instance.robotCount()) +
-                                            " agents, fewer than the " + std::to_string(*source.robots) +
-                                            " robots asked for");
-    instance.starts.resize(source.robots.value_or(instance.robotCount()));
-    instance.goals.resize(instance.starts.size());
-    return {std::move(instance), std::move(graph.warnings)};
+    return {textInstance(parsed, std::move(graph.graph)), std::move(graph.warnings)};
+}
+
+LoadedInstance fromGraphRec(GraphRecFile file)
+{
+    if (file.goals.size() != file.starts.size())
+        throw ParseError({file.file},
+                         "this file does not say where the robots' goals are; name the instance");
+    return {{std::move(file.graph), std::move(file.starts), std::move(file.goals)}, std::move(file.warnings)};
+}
+
+/// An instance whose file holds its graph, on a graph that was given apart: coordinates and weights may
+/// differ, nothing else.
+void putOnGraph(Instance &instance, const InstanceSource &source)
+{
+    if (!source.graph)
+        return;
+    auto graph = loadGraph(*source.graph).graph;
+    const Graph &own = *instance.graph;
+    bool same = own.vertexCount() == graph->vertexCount() && own.edgeCount() == graph->edgeCount();
+    for (Vertex v = 0; same && v < own.vertexCount(); ++v)
+        same = std::equal(own.neighbors(v).begin(), own.neighbors(v).end(), graph->neighbors(v).begin(),
+                          graph->neighbors(v).end());
+    if (!same)
+        throw InputError({source.graph->string()},
+                         "this is another graph than the one in " + inQuotes(source.instance.string()));
+    instance.graph = std::move(graph);
+}
+
+/// The instance with all of its robots (a scenario's records apart, of which only those asked for are
+/// robots).
+LoadedInstance parseInstance(const InstanceSource &source, std::string_view text)
+{
+    const std::string name = source.instance.string();
+    const FormatId format = formatOf(source.instance, text);
+    LoadedInstance loaded;
+    switch (format)
+    {
+    case FormatId::scenario:
+        return fromScenario(source, text);
+    case FormatId::instanceText:
+        return fromText(source, text);
+    case FormatId::kei18Instance:
+        return fromKei18(source, text);
+    case FormatId::cpf: {
+        CpfProblem read = parseCpf(text, name);
+        loaded = {std::move(read.instance), std::move(read.warnings)};
+        break;
+    }
+    case FormatId::libMrpInstance: {
+        LibMrpInstance read = parseLibMrpInstance(text, name);
+        loaded = {std::move(read.instance), std::move(read.warnings)};
+        break;
+    }
+    case FormatId::graphRec:
+        loaded = fromGraphRec(parseGraphRec(text, name));
+        break;
+    case FormatId::graphRecXml:
+        loaded = fromGraphRec(parseGraphRecXml(text, name));
+        break;
+    default:
+        refuseKind(format, source.instance, "instance", kInstanceFormats);
+    }
+    putOnGraph(loaded.instance, source);
+    return loaded;
 }
 
 } // namespace
@@ -133,34 +207,69 @@ LoadedGraph loadGraph(const std::filesystem::path &file)
 
 LoadedInstance loadInstance(const InstanceSource &source)
 {
-    const std::string text = readFile(source.instance);
-    switch (kindOf(source.instance, text))
+    LoadedInstance loaded = parseInstance(source, readFile(source.instance));
+    Instance &instance = loaded.instance;
+    if (source.robots && *source.robots > instance.robotCount())
+        throw InputError({source.instance.string()},
+                         "there are " + std::to_string(instance.robotCount()) + " agents, fewer than the " +
+                             std::to_string(*source.robots) + " robots asked for");
+    instance.starts.resize(source.robots.value_or(instance.robotCount()));
+    instance.goals.resize(instance.starts.size());
+    return loaded;
+}
+
+SolutionRows loadSolution(const std::filesystem::path &file, const Instance &instance)
+{
+    const std::string text = readFile(file);
+    const std::string name = file.string();
+    const FormatId format = formatOf(file, text);
+    switch (format)
     {
-    case Kind::scenario:
-        return fromScenario(source, text);
-    case Kind::instanceText:
-        return fromText(source, text);
-    case Kind::graphMl:
-    case Kind::map:
-        throw ParseError({source.instance.string(), 1, 1},
-                         std::string("this is a graph, no instance; ") + kInstanceFormats);
-    case Kind::unknown:
-        break;
+    case FormatId::solutionCsv:
+        return parseSolutionCsv(text, name);
+    case FormatId::surynekSolution:
+        return parseSurynekSolution(text, name);
+    case FormatId::kei18Result:
+        return parseKei18Result(text, name, instance);
+    case FormatId::paths:
+        return parsePaths(text, name, instance);
+    case FormatId::libMrpSchedule:
+        return parseLibMrpSchedule(text, name, instance);
+    case FormatId::trackerCsv:
+        return parseTracker(text, name, TrackerForm::csv, instance);
+    case FormatId::trackerJson:
+        return parseTracker(text, name, TrackerForm::json, instance);
+    case FormatId::graphRec:
+        return graphRecRows(parseGraphRec(text, name), instance);
+    case FormatId::graphRecXml:
+        return graphRecRows(parseGraphRecXml(text, name), instance);
+    default:
+        refuseKind(format, file, "solution", kSolutionFormats);
     }
-    throw ParseError({source.instance.string(), 1, 1},
-                     std::string("of no known format; ") + kInstanceFormats);
 }
 
 std::optional<std::filesystem::path> graphFileOf(const std::filesystem::path &instance)
 {
     const std::string text = readFile(instance);
-    if (kindOf(instance, text) == Kind::scenario)
+    const auto beside = [&instance](const std::string &map)
+    { return map.empty() ? std::nullopt : std::optional(instance.parent_path() / map); };
+    switch (formatOf(instance, text))
     {
-        const std::string map = parseMovingAiScenario(text, instance.string()).mapName();
-        return map.empty() ? std::nullopt : std::optional(instance.parent_path() / map);
+    case FormatId::scenario:
+        return beside(parseMovingAiScenario(text, instance.string()).mapName());
+    case FormatId::kei18Instance:
+        return beside(
+            std::filesystem::path(parseKei18Instance(text, instance.string()).map).filename().string());
+    case FormatId::cpf:
+    case FormatId::libMrpInstance:
+    case FormatId::graphRec:
+    case FormatId::graphRecXml:
+        return std::nullopt; // the graph stands in the file itself
+    default: {
+        const InstanceText parsed = parseInstanceText(text, instance.string());
+        return parsed.graphLine == 0 ? std::nullopt : std::optional(parsed.graphPath());
     }
-    const InstanceText parsed = parseInstanceText(text, instance.string());
-    return parsed.graphLine == 0 ? std::nullopt : std::optional(parsed.graphPath());
+    }
 }
 
 void saveGraph(const std::filesystem::path &file, const Graph &graph)
@@ -172,9 +281,9 @@ void saveGraph(const std::filesystem::path &file, const Graph &graph)
 }
 
 void saveInstance(const std::filesystem::path &file, const Instance &instance,
-                  const std::filesystem::path &graphFile)
+                  const std::filesystem::path &graphFile, std::optional<InstanceForm> form)
 {
-    if (file.extension() == ".scen")
+    if (form ? *form == InstanceForm::scenario : file.extension() == ".scen")
     {
         const GridMap map = gridMapOf(*instance.graph);
         Instance moved{map.graph, {}, {}};
@@ -218,22 +327,6 @@ void saveAnimation(const std::filesystem::path &file, const Instance &instance, 
                   file.extension() == ".xml" ? GraphRecForm::xml : GraphRecForm::text,
                   [&writer](std::string_view piece) { writer.write(piece); });
     writer.commit();
-}
-
-std::vector<FileFormat> fileFormats()
-{
-    return {
-        {"graphml", ".graphml .xml .gml", "graph", true, true,
-         "GraphML of this program and of others (NetworkX, yEd, igraph, Boost, roadmaps)"},
-        {"instance", ".instance", "instance", true, true,
-         "text: 'graph = <file>', then 'agent: start = <vertex>, goal = <vertex>' for each robot"},
-        {"movingai_map", ".map", "graph", true, true, "grid map of the Moving AI Lab's benchmarks"},
-        {"movingai_scenario", ".scen", "instance", true, true,
-         "starts and goals on a grid map, of the Moving AI Lab's benchmarks"},
-        {"solution", ".csv", "solution", true, true,
-         "rows 'step,robot,from,to': a solution, or a schedule of moves at once"},
-        {"graphrec", ".txt", "animation", false, true, "animation for GraphRec, its text form 'Multirobot'"},
-    };
 }
 
 } // namespace mrpp

@@ -13,6 +13,7 @@
 #include "framework/model/Schedule.h"
 #include "framework/model/Solution.h"
 #include "problems/formats/MovingAiMap.h"
+#include "problems/formats/SolutionRows.h"
 
 #include <filesystem>
 #include <optional>
@@ -29,13 +30,14 @@ struct LoadedGraph
     std::vector<std::string> warnings; ///< see GraphMl
 };
 
-/// Reads a MovingAI map or a GraphML file. Throws InputError where it is neither, or malformed.
+/// Reads a graph of any format, also out of a file that holds its robots too. Throws InputError where the
+/// file holds no graph, or is malformed.
 [[nodiscard]] LoadedGraph loadGraph(const std::filesystem::path &file);
 
 struct InstanceSource
 {
-    std::filesystem::path instance;             ///< instance text or MovingAI scenario
-    std::optional<std::filesystem::path> graph; ///< overrides the graph that the instance names
+    std::filesystem::path instance;             ///< of any format that holds robots
+    std::optional<std::filesystem::path> graph; ///< overrides the graph that the instance names or holds
     std::optional<std::size_t> robots;          ///< how many of the file's robots; all where it is missing
 };
 
@@ -45,10 +47,14 @@ struct LoadedInstance
     std::vector<std::string> warnings;
 };
 
-/// Reads an instance and its graph. Without `graph`, instance text names it, and a scenario's map is looked
-/// for beside the scenario. Throws InputError where a file cannot be used, the instance does not fit its
-/// graph or holds fewer robots than asked for.
+/// Reads an instance and its graph. Without `graph`, instance text names it, the map of a scenario or of
+/// Kei18's text is looked for beside the file, and other formats hold it. Throws InputError where a file
+/// cannot be used, the instance does not fit its graph or holds fewer robots than asked for.
 [[nodiscard]] LoadedInstance loadInstance(const InstanceSource &source);
+
+/// Reads a solution or schedule of any format. The moves may be wrong; validate() says so. Throws InputError
+/// where the file is malformed or cannot speak of this instance.
+[[nodiscard]] SolutionRows loadSolution(const std::filesystem::path &file, const Instance &instance);
 
 /// The file in which the graph of an instance file lies, if the instance says so. Throws InputError where the
 /// instance cannot be read.
@@ -58,11 +64,17 @@ struct LoadedInstance
 /// map, FileError where the file cannot be written.
 void saveGraph(const std::filesystem::path &file, const Graph &graph);
 
-/// Writes `.scen` as a MovingAI scenario (the graph must then be a grid map), everything else as instance
-/// text.
+enum class InstanceForm
+{
+    text,
+    scenario,
+};
+
+/// Writes an instance as text or as a MovingAI scenario (the graph must then be a grid map); without `form`
+/// `.scen` is a scenario, everything else text.
 /// \param graphFile where the graph lies; the instance names it relative to its own folder
 void saveInstance(const std::filesystem::path &file, const Instance &instance,
-                  const std::filesystem::path &graphFile);
+                  const std::filesystem::path &graphFile, std::optional<InstanceForm> form = std::nullopt);
 
 /// Writes CSV rows, see SolutionCsv.h.
 void saveSolution(const std::filesystem::path &file, const Solution &solution);

@@ -19,6 +19,8 @@ struct SolutionRows
     std::vector<TimedMove> moves;
     std::vector<std::uint32_t> lines; ///< of the moves; empty where the first is line 2, and each has its own
 
+    std::vector<std::string> warnings;
+
     /// The line of a row, for messages about moves that break the rules.
     [[nodiscard]] std::size_t lineOf(std::size_t row) const { return lines.empty() ? row + 2 : lines[row]; }
 };

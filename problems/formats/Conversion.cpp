@@ -1,0 +1,354 @@
+#include "problems/formats/Conversion.h"
+
+#include "framework/support/Error.h"
+#include "framework/support/File.h"
+#include "framework/support/Suggestion.h"
+#include "problems/formats/Cells.h"
+#include "problems/formats/FormatId.h"
+#include "problems/formats/Formats.h"
+#include "problems/formats/GraphMl.h"
+#include "problems/formats/GraphRec.h"
+#include "problems/formats/GraphText.h"
+#include "problems/formats/Kei18.h"
+#include "problems/formats/LibMrpYaml.h"
+#include "problems/formats/Paths.h"
+#include "problems/formats/PlanViz.h"
+#include "problems/formats/SolutionCsv.h"
+#include "problems/formats/Surynek.h"
+#include "problems/formats/Tracker.h"
+
+#include <algorithm>
+
+namespace mrpp
+{
+
+namespace
+{
+
+enum class Holds
+{
+    graph,
+    instance,
+    solution,
+};
+
+/// A format that is written, and what of a graph it can say.
+struct Target
+{
+    FormatId id;
+    const char *name;
+    Holds holds;
+    bool coordinates = true;
+    bool weights = true;
+};
+
+constexpr Target kTargets[] = {
+    {FormatId::graphMl, "graphml", Holds::graph},
+    {FormatId::movingAiMap, "movingai_map", Holds::graph, true, false},
+    {FormatId::dimacs, "dimacs", Holds::graph, false},
+    {FormatId::edgeList, "edge_list", Holds::graph, false},
+    {FormatId::instanceText, "instance", Holds::instance},
+    {FormatId::scenario, "movingai_scenario", Holds::instance, true, false},
+    {FormatId::cpf, "cpf", Holds::instance, false, false},
+    {FormatId::kei18Instance, "kei18_instance", Holds::instance, true, false},
+    {FormatId::libMrpInstance, "libmrp_instance", Holds::instance, true, false},
+    {FormatId::solutionCsv, "solution", Holds::solution},
+    {FormatId::surynekSolution, "surynek_solution", Holds::solution},
+    {FormatId::kei18Result, "kei18_result", Holds::solution},
+    {FormatId::libMrpSchedule, "libmrp_schedule", Holds::solution},
+    {FormatId::paths, "paths", Holds::solution},
+    {FormatId::trackerCsv, "tracker_csv", Holds::solution},
+    {FormatId::trackerJson, "tracker_json", Holds::solution},
+    {FormatId::graphRec, "graphrec", Holds::solution, true, false},
+    {FormatId::graphRecXml, "graphrec_xml", Holds::solution, true, false},
+    {FormatId::planViz, "planviz", Holds::solution},
+};
+
+const char *toString(Holds holds)
+{
+    return holds == Holds::graph ? "graph" : holds == Holds::instance ? "instance" : "solution";
+}
+
+bool canRead(FormatId format, Holds wanted)
+{
+    return wanted == Holds::graph      ? holdsGraph(format)
+           : wanted == Holds::instance ? holdsInstance(format)
+                                       : holdsSolution(format);
+}
+
+const Target &targetNamed(const std::string &name)
+{
+    std::vector<std::string> names;
+    for (const Target &target : kTargets)
+    {
+        if (target.name == name)
+            return target;
+        names.emplace_back(target.name);
+    }
+    throw InputError("there is no format '" + name + "' that is written" + suggestion(name, names));
+}
+
+bool hasExtension(const Target &target, const std::string &extension)
+{
+    const auto formats = fileFormats();
+    const auto listed = std::find_if(formats.begin(), formats.end(),
+                                     [&](const FileFormat &format) { return format.name == target.name; });
+    return (" " + listed->extensions + " ").find(" " + extension + " ") != std::string::npos;
+}
+
+/// The format of OUT: the one that was asked for, else the only one of its extension that holds something
+/// that IN has; this program's own where there are several.
+const Target &chooseTarget(const ConversionRequest &request, FormatId in)
+{
+    if (request.format)
+        return targetNamed(*request.format);
+    const std::string extension = request.out.extension().string();
+    std::vector<const Target *> fitting;
+    for (const Target &target : kTargets)
+        if (!extension.empty() && hasExtension(target, extension) && canRead(in, target.holds))
+            fitting.push_back(&target);
+    for (const Target *target : fitting)
+        if (target->id == FormatId::graphMl || target->id == FormatId::solutionCsv)
+            return *target;
+    if (fitting.size() == 1)
+        return *fitting.front();
+    std::string names;
+    for (const Target &target : kTargets)
+        if (canRead(in, target.holds) &&
+            (fitting.empty() || std::find(fitting.begin(), fitting.end(), &target) != fitting.end()))
+            names += (names.empty() ? "" : ", ") + std::string(target.name);
+    throw InputError({request.out.string()},
+                     (fitting.empty()
+                          ? "the extension '" + extension + "' is of no format that could be written"
+                          : "several formats have the extension '" + extension + "'") +
+                         "; say --to with one of: " + names);
+}
+
+class Converter
+{
+public:
+    explicit Converter(const ConversionRequest &request)
+        : request_(request), in_(formatOf(request.in, readFile(request.in))),
+          target_(chooseTarget(request, in_))
+    {}
+
+    Conversion run()
+    {
+        if (!canRead(in_, target_.holds))
+            throw InputError({request_.in.string()}, std::string("there is no ") + toString(target_.holds) +
+                                                         " in this file, but '" + target_.name +
+                                                         "' holds one");
+        result_.format = target_.name;
+        if (target_.holds == Holds::graph)
+            convertGraph();
+        else if (target_.holds == Holds::instance)
+            convertInstance();
+        else
+            convertSolution();
+        return std::move(result_);
+    }
+
+private:
+    void note(const std::vector<std::string> &notes)
+    {
+        result_.notes.insert(result_.notes.end(), notes.begin(), notes.end());
+    }
+
+    void noteLosses(const Graph &graph)
+    {
+        if (!target_.coordinates && graph.hasCoordinates())
+            note({"lost: the vertices' coordinates"});
+        if (!target_.weights && graph.isWeighted())
+            note({"lost: the edges' weights"});
+    }
+
+    void write(const std::filesystem::path &file, const std::string &text)
+    {
+        writeFile(file, text);
+        result_.files.push_back(file);
+    }
+
+    /// Runs a writer; its complaint names the format that cannot express what is asked.
+    template <class Work>
+    auto asTarget(Work &&work) const
+    {
+        try
+        {
+            return work();
+        }
+        catch (const InputError &error)
+        {
+            throw InputError({request_.out.string()},
+                             std::string("'") + target_.name + "' cannot hold this: " + error.complaint());
+        }
+    }
+
+    void convertGraph()
+    {
+        const LoadedGraph loaded = loadGraph(request_.in);
+        note(loaded.warnings);
+        if (holdsInstance(in_))
+            note({"lost: the robots"});
+        if (holdsSolution(in_))
+            note({"lost: the moves"});
+        const Graph &graph = *loaded.graph;
+        noteLosses(graph);
+        write(request_.out, asTarget(
+                                [&]
+                                {
+                                    switch (target_.id)
+                                    {
+                                    case FormatId::movingAiMap:
+                                        return mapText(graph);
+                                    case FormatId::dimacs:
+                                        return formatDimacs(graph);
+                                    case FormatId::edgeList:
+                                        return formatEdgeList(graph);
+                                    default:
+                                        return formatGraphMl(graph);
+                                    }
+                                }));
+    }
+
+    std::string mapText(const Graph &graph)
+    {
+        const GridMap map = gridMapOf(graph);
+        noteRenumbering(graph, map);
+        return formatMovingAiMap(map);
+    }
+
+    void noteRenumbering(const Graph &graph, const GridMap &map)
+    {
+        if (!std::equal(graph.coordinates().begin(), graph.coordinates().end(),
+                        map.graph->coordinates().begin()))
+            note({"lost: the vertices' numbers; a map's cells are numbered row by row"});
+    }
+
+    void convertInstance()
+    {
+        const LoadedInstance loaded = loadInstance({request_.in, request_.graph, std::nullopt});
+        note(loaded.warnings);
+        if (holdsSolution(in_))
+            note({"lost: the moves"});
+        const Instance &instance = loaded.instance;
+        noteLosses(*instance.graph);
+        if (target_.id == FormatId::cpf)
+            return write(request_.out, formatCpf(instance));
+        if (target_.id == FormatId::libMrpInstance)
+            return write(request_.out, asTarget([&] { return formatLibMrpInstance(instance); }));
+
+        const std::filesystem::path graphFile = asTarget([&] { return graphFor(instance); });
+        if (target_.id == FormatId::kei18Instance)
+            return write(
+                request_.out,
+                asTarget([&] { return formatKei18Instance(instance, graphFile.filename().string()); }));
+        asTarget(
+            [&]
+            {
+                saveInstance(request_.out, instance, graphFile,
+                             target_.id == FormatId::scenario ? InstanceForm::scenario : InstanceForm::text);
+                return 0;
+            });
+        result_.files.push_back(request_.out);
+    }
+
+    /// Where the graph of the new instance lies: where it lay before if that suits, else beside the instance.
+    std::filesystem::path graphFor(const Instance &instance)
+    {
+        const bool needsMap = target_.id != FormatId::instanceText;
+        const auto known = request_.graph ? request_.graph : graphFileOf(request_.in);
+        std::error_code error;
+        if (known && std::filesystem::exists(*known, error) && (!needsMap || loadGraph(*known).map))
+            return *known;
+        std::filesystem::path file = request_.out;
+        file.replace_extension(needsMap ? ".map" : ".graphml");
+        const std::string text = needsMap ? mapText(*instance.graph) : formatGraphMl(*instance.graph);
+        if (std::filesystem::exists(file, error) && readFile(file) != text)
+            throw InputError("its graph would be written to " + file.string() +
+                             ", but there is another file of that name");
+        write(file, text);
+        note({"the graph is in a file of its own: " + file.string()});
+        return file;
+    }
+
+    void convertSolution()
+    {
+        if (!request_.instance && !holdsInstance(in_))
+            throw InputError({request_.in.string()},
+                             "a solution can only be read with its instance; name it (--instance FILE)");
+        const std::filesystem::path instanceFile = request_.instance.value_or(request_.in);
+        const LoadedInstance loaded = loadInstance({instanceFile, request_.graph, std::nullopt});
+        note(loaded.warnings);
+        const Instance &instance = loaded.instance;
+        noteLosses(*instance.graph);
+        const SolutionRows rows = loadSolution(request_.in, instance);
+        note(rows.warnings);
+        const Schedule schedule = scheduleOf(rows, instance);
+        if (!validate(instance, schedule, MotionRule::rotation).complete)
+            note({"not all robots end at their goals"});
+        if (target_.id == FormatId::graphRec || target_.id == FormatId::graphRecXml)
+            return writeAnimation(instance, schedule);
+        write(request_.out, asTarget([&] { return solutionText(instance, schedule, instanceFile); }));
+    }
+
+    void writeAnimation(const Instance &instance, const Schedule &schedule)
+    {
+        const MotionRule rule = validate(instance, schedule, MotionRule::parallel).legal
+                                    ? MotionRule::parallel
+                                    : MotionRule::rotation;
+        FileWriter writer(request_.out);
+        writeGraphRec(instance, schedule, rule,
+                      target_.id == FormatId::graphRec ? GraphRecForm::text : GraphRecForm::xml,
+                      [&writer](std::string_view piece) { writer.write(piece); });
+        writer.commit();
+        result_.files.push_back(request_.out);
+    }
+
+    std::string solutionText(const Instance &instance, const Schedule &schedule,
+                             const std::filesystem::path &instanceFile) const
+    {
+        switch (target_.id)
+        {
+        case FormatId::surynekSolution:
+            return formatSurynekSolution(schedule);
+        case FormatId::kei18Result: {
+            const auto graph = request_.graph ? request_.graph : graphFileOf(instanceFile);
+            const auto map = graph ? graph->filename() : instanceFile.stem().concat(".map");
+            return formatKei18Result(instance, schedule, map.string());
+        }
+        case FormatId::libMrpSchedule:
+            return formatLibMrpSchedule(instance, schedule);
+        case FormatId::paths:
+            return formatPaths(instance, schedule);
+        case FormatId::planViz:
+            return formatPlanViz(instance, schedule);
+        case FormatId::trackerCsv:
+        case FormatId::trackerJson: {
+            const auto name = trackerName(instanceFile.filename().string());
+            if (!name)
+                throw InputError(
+                    "the tracker wants to know which of its scenarios this is; give the instance a "
+                    "name like empty-8-8-even-1.scen");
+            return formatTracker(instance, schedule,
+                                 target_.id == FormatId::trackerCsv ? TrackerForm::csv : TrackerForm::json,
+                                 *name);
+        }
+        default:
+            return formatSolutionCsv(schedule);
+        }
+    }
+
+    const ConversionRequest &request_;
+    FormatId in_;
+    const Target &target_;
+    Conversion result_;
+};
+
+} // namespace
+
+Conversion convertFile(const ConversionRequest &request)
+{
+    return Converter(request).run();
+}
+
+} // namespace mrpp

@@ -1,0 +1,51 @@
+#pragma once
+/// \file
+/// Instances and schedules of libMultiRobotPlanning (W. Hönig), in YAML: robots on a grid or on a roadmap.
+///
+/// \code
+/// agents:                               schedule:
+///   - {name: a, start: [0, 0],            agent0:
+///      goal: [2, 0]}                        - {x: 0, y: 0, t: 0}
+/// map:                                      - {x: 1, y: 0, t: 1}
+///   dimensions: [3, 2]
+///   obstacles: [[1, 1]]
+/// \endcode
+///
+/// Points are column and row. A roadmap has `vertices: {name: [x, y], …}` and `edges: [[name, name], …]`
+/// instead of the map, names as starts and goals, and a schedule with `v: name`; vertices are numbered in the
+/// order of the file.
+
+#include "framework/model/Instance.h"
+#include "framework/model/Schedule.h"
+#include "problems/formats/SolutionRows.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace mrpp
+{
+
+struct LibMrpInstance
+{
+    Instance instance; ///< with its graph
+    std::vector<std::string> warnings;
+};
+
+/// Throws ParseError for what is no YAML or lacks a part, obstacles and robots outside the map or on each
+/// other, robots without one goal, and maps of more than 2^22 cells.
+[[nodiscard]] LibMrpInstance parseLibMrpInstance(std::string_view text, const std::string &file);
+
+/// A grid where the graph is one, else a roadmap with the vertices' numbers as names. Throws InputError where
+/// it is no grid and has no coordinates.
+[[nodiscard]] std::string formatLibMrpInstance(const Instance &instance);
+
+/// Robots are agent0, agent1, …. A vertex is named by its cell or by its number. Throws ParseError for what
+/// is no schedule, times that are not 0, 1, 2, …, and robots that stand on no vertex.
+[[nodiscard]] SolutionRows parseLibMrpSchedule(std::string_view text, const std::string &file,
+                                               const Instance &instance);
+
+/// Cells where the graph lies on cells, else `v: <number>`.
+[[nodiscard]] std::string formatLibMrpSchedule(const Instance &instance, const Schedule &schedule);
+
+} // namespace mrpp
