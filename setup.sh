@@ -4,7 +4,7 @@ set -euo pipefail
 
 packages=(
     g++ cmake ninja-build ccache pkg-config git
-    libboost-graph-dev libboost-iostreams-dev libboost-filesystem-dev libboost-system-dev
+    libboost-graph-dev libboost-iostreams-dev libboost-filesystem-dev libboost-system-dev libcgal-dev
     libgraphviz-dev graphviz gnuplot-nox libgnuplot-iostream-dev
     libpugixml-dev libyaml-cpp-dev libsqlite3-dev libcairo2-dev libpango1.0-dev libqpdf-dev
     libcli11-dev nlohmann-json3-dev libfmt-dev libssl-dev fonts-dejavu-core

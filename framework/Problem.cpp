@@ -65,6 +65,8 @@ void Problem::configure(const Config &settings, const ProblemContext &context)
                 known.insert(known.end(), {"robots", "free", "occupancy"});
             throw PlanError(nameWhere, "unknown key '" + name + "'" + suggestion(name, known));
         }
+        if (value.isMap() && configureMap(name, value))
+            return;
         if (!value.isScalar())
             throw PlanError(value.where(), "'" + name + "' takes one value");
         try

@@ -112,6 +112,10 @@ protected:
     }
     [[nodiscard]] const ProblemContext &context() const { return context_; }
 
+    /// Called by configure() where a parameter's value is a map: for families with parameters that are more
+    /// than one value. Returns false where this parameter takes none, which is then an error.
+    virtual bool configureMap(const std::string & /*parameter*/, const Config & /*value*/) { return false; }
+
 private:
     ParameterSet parameters_;
     ProblemContext context_;

@@ -1,6 +1,7 @@
 #include "problems/PublicBenchmark.h"
 
 #include "framework/support/Error.h"
+#include "problems/SolvableInstance.h"
 #include "problems/formats/MovingAiScenario.h"
 
 namespace mrpp
@@ -14,6 +15,7 @@ PublicBenchmark::PublicBenchmark()
     declareParam("map", map_, "", "a MovingAI map, from movingai.com/benchmarks");
     declareParam("scenario", scenario_, "", "starts and goals on the map; without it, random ones");
     declareParam("passability", passability_, rules, "which symbols of the map robots may stand on");
+    declareParam("solvable", solvable_, "", "draw only random instances that have a solution");
 }
 
 void PublicBenchmark::configure(const Config &settings, const ProblemContext &context)
@@ -22,8 +24,12 @@ void PublicBenchmark::configure(const Config &settings, const ProblemContext &co
     if (map_.empty())
         throw PlanError(settings.where(), "public_benchmark needs a 'map', the file of a MovingAI map");
     map_ = context.resolve(map_);
-    if (!scenario_.empty())
-        scenario_ = context.resolve(scenario_);
+    if (scenario_.empty())
+        return;
+    if (solvable_)
+        throw PlanError(settings.where(), "a scenario's instances are as they are; leave out 'solvable' or "
+                                          "'scenario'");
+    scenario_ = context.resolve(scenario_);
 }
 
 GridMap PublicBenchmark::load() const
@@ -61,6 +67,8 @@ std::size_t PublicBenchmark::robotCount(const Graph &graph) const
 Instance PublicBenchmark::makeInstance(std::shared_ptr<const Graph> graph, std::size_t robots,
                                        Seed seed) const
 {
+    if (solvable_)
+        return solvableInstance(std::move(graph), robots, seed);
     if (scenario_.empty())
         return Problem::makeInstance(std::move(graph), robots, seed);
     Instance instance = scenarioInstance(readMovingAiScenario(scenario_), load(), robots);

@@ -8,7 +8,8 @@
 /// - public_benchmark: {map: den520d.map, scenario: den520d-random-1.scen, robots: [50, 100]}
 /// \endcode
 ///
-/// Random robots start and end in the map's largest component. The maps are their owner's and must be fetched
+/// Random robots start and end in the map's largest component; with `solvable: true` only instances are drawn
+/// that have a solution (SolvableInstance.h). The maps are their owner's and must be fetched
 /// from https://movingai.com/benchmarks by the user: nothing here downloads.
 
 #include "framework/Problem.h"
@@ -41,6 +42,7 @@ private:
     std::filesystem::path map_;
     std::filesystem::path scenario_; ///< empty for random instances
     std::string passability_ = "movingai";
+    bool solvable_ = false;
 };
 
 } // namespace mrpp

@@ -1,5 +1,6 @@
 #include "problems/generators/Generator.h"
 
+#include "framework/Catalog.h"
 #include "framework/support/Error.h"
 
 namespace mrpp
@@ -33,6 +34,26 @@ void Generator::requireSize(double size)
     if (size > static_cast<double>(kMaximalSize))
         throw InputError("a graph of " + formatNumber(size) + " vertices or edges; at most " +
                          std::to_string(kMaximalSize) + " can be made");
+}
+
+std::unique_ptr<Generator> makeGenerator(const Catalog &catalog, std::string_view family)
+{
+    const auto *entry = catalog.problems.find(family);
+    auto problem = entry == nullptr ? nullptr : entry->make();
+    auto *generator = dynamic_cast<Generator *>(problem.get());
+    if (generator == nullptr)
+        return nullptr;
+    static_cast<void>(problem.release());
+    return std::unique_ptr<Generator>(generator);
+}
+
+std::vector<std::string> generatorNames(const Catalog &catalog)
+{
+    std::vector<std::string> names;
+    for (const auto &entry : catalog.problems.entries())
+        if (makeGenerator(catalog, entry.name))
+            names.push_back(entry.name);
+    return names;
 }
 
 } // namespace mrpp

@@ -16,6 +16,8 @@
 namespace mrpp
 {
 
+struct Catalog;
+
 class Generator : public Problem
 {
 public:
@@ -35,5 +37,11 @@ protected:
     /// Throws InputError above kMaximalSize; `size` is a product that may be beyond whole numbers.
     static void requireSize(double size);
 };
+
+/// A new generator; null where the catalog has no family of that name or it is no generator.
+[[nodiscard]] std::unique_ptr<Generator> makeGenerator(const Catalog &catalog, std::string_view family);
+
+/// Every generator of the catalog, in its order.
+[[nodiscard]] std::vector<std::string> generatorNames(const Catalog &catalog);
 
 } // namespace mrpp

@@ -33,6 +33,17 @@ Config settings(std::initializer_list<std::pair<const char *, const char *>> ent
     return Config::map(std::move(list));
 }
 
+/// Settings of a one-factor model on a small grid.
+Config onGrid(const char *key, const char *value)
+{
+    std::vector<Config::Entry> graph(1);
+    graph.front().key = "grid";
+    graph.front().value = settings({{"width", "4"}, {"height", "3"}});
+    Config whole = settings({{"graph", ""}, {key, value}});
+    whole.entries().front().value = Config::map(std::move(graph));
+    return whole;
+}
+
 /// Settings with which a family can be tried, for files in the scratch folder. A new family adds a line.
 const std::map<std::string, Config> &samples()
 {
@@ -40,6 +51,8 @@ const std::map<std::string, Config> &samples()
         {"fully_controlled", settings({{"graph", "triangle.graphml"}, {"instance", "triangle.instance"}})},
         {"small_benchmark", Config::scalar("connector")},
         {"public_benchmark", settings({{"map", "room.map"}, {"robots", "4"}})},
+        {"fg_vr", onGrid("free", "2")},
+        {"fr_vg", onGrid("occupancy", "0.7")},
         {"biconnected", settings({{"initial_cycle", "4"}, {"handles", "3"}, {"free", "2"}})},
         {"random", settings({{"vertices", "12"}, {"edges", "17"}, {"robots", "6"}})},
         {"isthmus", settings({{"vertices", "20"}, {"longest_isthmus", "4"}, {"free", "6"}})},
@@ -48,6 +61,7 @@ const std::map<std::string, Config> &samples()
         {"grid", settings({{"width", "5"}, {"height", "3"}, {"obstacles", "0.3"}, {"free", "3"}})},
         {"maze", settings({{"width", "9"}, {"height", "7"}, {"occupancy", "0.2"}})},
         {"rooms", settings({{"width", "11"}, {"height", "8"}, {"room", "3"}, {"robots", "9"}})},
+        {"roadmap", settings({{"vertices", "20"}, {"robots", "6"}})},
         {"warehouse", settings({{"columns", "2"}, {"rows", "2"}, {"margin", "2"}, {"robots", "9"}})},
     };
     return kSamples;
