@@ -3,6 +3,7 @@
 #include "cli/OneLine.h"
 #include "framework/support/Config.h"
 #include "framework/support/Suggestion.h"
+#include "problems/generators/Generator.h"
 
 #include <CLI/CLI.hpp>
 
@@ -247,6 +248,65 @@ Examples:
     command->callback([arguments, &result] { result = *arguments; });
 }
 
+/// initial_cycle → --initial-cycle
+std::string flagOf(std::string parameter)
+{
+    std::replace(parameter.begin(), parameter.end(), '_', '-');
+    return "--" + parameter;
+}
+
+/// One generator's options: its parameters, and what all have.
+void addFamily(CLI::App &generate, const std::string &family, const std::string &description,
+               const Generator &generator, Arguments &result)
+{
+    CLI::App *command = generate.add_subcommand(family, description);
+    command->allow_extras();
+    const auto arguments = std::make_shared<GenerateArguments>();
+    arguments->family = family;
+    for (const ParameterSet::Parameter &parameter : generator.parameters().all())
+        command
+            ->add_option_function<std::string>(
+                flagOf(parameter.name),
+                [arguments, name = parameter.name](const std::string &value)
+                { arguments->settings.emplace_back(name, value); },
+                parameter.help + " [" + parameter.defaultValue + "]")
+            ->type_name(parameter.range.empty() ? std::string(parameter.type()) : parameter.range)
+            ->allow_extra_args(false);
+    command->add_option("--seed", arguments->seed, "Of everything random [1]")
+        ->type_name("N")
+        ->check(wholeNumberFrom(0));
+    optional(
+        *command, "--graph", arguments->graph,
+        "Where the graph is written: a MovingAI map if FILE ends with .map, else GraphML [standard output]");
+    CLI::Option *robots =
+        optional(*command, "--robots", arguments->robots, "How many robots the instance has")
+            ->type_name("N")
+            ->check(wholeNumberFrom(0));
+    CLI::Option *instance =
+        optional(*command, "--instance", arguments->instance,
+                 "Where an instance is written: a MovingAI scenario if FILE ends with .scen, else text");
+    command->add_flag("--solvable", arguments->solvable, "An instance that has a solution")->needs(instance);
+    instance->needs(robots)->needs(command->get_option("--graph"));
+    robots->needs(instance);
+    command->callback([arguments, &result] { result = *arguments; });
+}
+
+void addGenerate(CLI::App &app, Arguments &result, const Catalog &catalog)
+{
+    CLI::App *command =
+        app.add_subcommand("generate", "Make a graph, and an instance on it, from parameters");
+    command->footer(R"(Each FAMILY has options of its own: mrppsim generate grid --help
+
+Examples:
+  mrppsim generate biconnected --initial-cycle 5 --handles 4 --max-handle-length 3 --seed 7 --graph g.graphml
+  mrppsim generate grid --side 10 --graph grid.map --robots 20 --instance grid.scen
+  mrppsim generate tree --vertices 30 > tree.graphml)");
+    command->require_subcommand(1);
+    for (const std::string &family : generatorNames(catalog))
+        addFamily(*command, family, catalog.problems.find(family)->description,
+                  *makeGenerator(catalog, family), result);
+}
+
 void addList(CLI::App &app, Arguments &result)
 {
     CLI::App *command = app.add_subcommand("list", "Say what there is: planners, problems, reports, …");
@@ -288,10 +348,16 @@ Answered refuse(const std::string &complaint, const std::string &command)
 /// The first word that nobody asked for, in words; empty where there is none.
 std::string unexpected(const CLI::App &command)
 {
+    for (const CLI::App *used : command.get_subcommands())
+        if (std::string complaint = unexpected(*used); !complaint.empty())
+            return complaint;
     const auto extras = command.remaining();
     if (extras.empty())
         return {};
     const std::string &word = extras.front();
+    if (!word.starts_with('-') && command.get_subcommands().empty() && !commandNames(command).empty())
+        return "there is no '" + word + "' to " + command.get_name() +
+               suggestion(word, commandNames(command));
     if (!word.starts_with('-'))
         return "'" + word + "' is one argument too many";
     return "there is no option '" + word + "'" +
@@ -300,7 +366,7 @@ std::string unexpected(const CLI::App &command)
 
 } // namespace
 
-Arguments parseArguments(int count, const char *const *words)
+Arguments parseArguments(int count, const char *const *words, const Catalog &catalog)
 {
     Arguments result = Answered{};
     CLI::App app("MRPPSim evaluates multi-robot path planners on graphs: a plan in; checked results, figures "
@@ -320,6 +386,7 @@ Exit codes: 0 yes or done; 1 a truthful no; 2 wrong use or malformed input; 3 a 
     addSolve(app, result);
     addValidate(app, result);
     addConvert(app, result);
+    addGenerate(app, result, catalog);
     addList(app, result);
     for (CLI::App *command : app.get_subcommands({}))
         command->allow_extras();

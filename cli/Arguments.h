@@ -4,6 +4,7 @@
 /// Arguments.cpp.
 
 #include "cli/ExitCode.h"
+#include "framework/Catalog.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -71,6 +72,17 @@ struct ConvertArguments
     std::optional<std::string> format;             ///< of `out`; by its extension where not given
 };
 
+struct GenerateArguments
+{
+    std::string family;
+    std::vector<std::pair<std::string, std::string>> settings; ///< of the family
+    std::uint64_t seed = 1;
+    std::optional<std::int64_t> robots;
+    bool solvable = false;
+    std::optional<std::filesystem::path> graph; ///< standard output where not given
+    std::optional<std::filesystem::path> instance;
+};
+
 struct ListArguments
 {
     std::string what; ///< planners, optimizers, problems, reports, metrics, formats
@@ -85,9 +97,10 @@ struct Answered
 };
 
 using Arguments = std::variant<Answered, RunArguments, ReportArguments, SolveArguments, ValidateArguments,
-                               ConvertArguments, ListArguments>;
+                               ConvertArguments, GenerateArguments, ListArguments>;
 
 /// Prints help to the standard output, complaints to the standard error.
-[[nodiscard]] Arguments parseArguments(int count, const char *const *words);
+/// \param catalog whose generators have an option for each of their parameters
+[[nodiscard]] Arguments parseArguments(int count, const char *const *words, const Catalog &catalog);
 
 } // namespace mrpp

@@ -28,6 +28,7 @@ struct Dispatch
     ExitCode operator()(const SolveArguments &arguments) const { return solve(arguments, catalog); }
     ExitCode operator()(const ValidateArguments &arguments) const { return validate(arguments); }
     ExitCode operator()(const ConvertArguments &arguments) const { return convert(arguments); }
+    ExitCode operator()(const GenerateArguments &arguments) const { return generate(arguments, catalog); }
     ExitCode operator()(const ListArguments &arguments) const { return list(arguments, catalog); }
 };
 
@@ -39,7 +40,7 @@ ExitCode dispatch(int count, const char *const *words)
         registerAlgorithms(catalog);
         registerProblems(catalog);
         registerReports(catalog);
-        return std::visit(Dispatch{catalog}, parseArguments(count, words));
+        return std::visit(Dispatch{catalog}, parseArguments(count, words, catalog));
     }
     catch (const InputError &error)
     {

@@ -20,6 +20,7 @@ TEST(Usage, helpTeachesOnEveryLevel)
                                                   {"report", "--help"},
                                                   {"solve", "--help"},
                                                   {"validate", "--help"},
+                                                  {"generate", "--help"},
                                                   {"list", "--help"}})
     {
         const Outcome outcome = mrppsim(words, scratch);
@@ -85,7 +86,21 @@ INSTANTIATE_TEST_SUITE_P(
         WrongUse{{"solve", "--instance", "no.instance", "--planner", "push_and_swap"},
                  "no.instance: there is no such file"},
         WrongUse{{"validate", "--instance", "a"}, "--solution is required"},
-        WrongUse{{"list"}, "WHAT is required"}, WrongUse{{"list", "planer"}, "did you mean 'planners'?"}));
+        WrongUse{{"generate"}, "A subcommand is required"},
+        WrongUse{{"generate", "gird"}, "there is no 'gird' to generate; did you mean 'grid'?"},
+        WrongUse{{"generate", "grid", "--obstacle", "3"},
+                 "there is no option '--obstacle'; did you mean '--obstacles'?"},
+        WrongUse{{"generate", "grid", "--side", "many"}, "parameter 'side' takes a whole number"},
+        WrongUse{{"generate", "grid", "--side", "-1"}, "parameter 'side' must lie in 0:10000"},
+        WrongUse{{"generate", "grid", "--side", "3", "--width", "3"}, "either a side, or width and height"},
+        WrongUse{{"generate", "grid", "--side", "3", "--robots", "3"}, "--robots requires --instance"},
+        WrongUse{{"generate", "grid", "--instance", "a.instance", "--graph", "a.map"},
+                 "--instance requires --robots"},
+        WrongUse{{"generate", "grid", "--side", "2", "--robots", "5", "--instance", "a.instance", "--graph",
+                  "a.map"},
+                 "5 robots do not fit"},
+        WrongUse{{"generate", "tree", "--graph", "tree.map"}, "map"}, WrongUse{{"list"}, "WHAT is required"},
+        WrongUse{{"list", "planer"}, "did you mean 'planners'?"}));
 
 TEST(Usage, withoutAWordTheHelpIsAComplaint)
 {

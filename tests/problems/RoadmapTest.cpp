@@ -75,7 +75,8 @@ TEST(RoadmapGenerator, IsDrawnWithoutCrossings)
 
 TEST(RoadmapGenerator, MakesTheSameGraphOnEveryMachine)
 {
-    EXPECT_EQ(make<Roadmap>({{"vertices", "50"}})->makeGraph(1)->fingerprint(), "ec49518bb0e099af8fe05edc1bd81b76");
+    EXPECT_EQ(make<Roadmap>({{"vertices", "50"}})->makeGraph(1)->fingerprint(),
+              "ec49518bb0e099af8fe05edc1bd81b76");
 }
 
 TEST(RoadmapGenerator, MakesAMillionVerticesInSeconds)
