@@ -18,6 +18,7 @@
 #include "problems/formats/Tracker.h"
 
 #include <algorithm>
+#include <cctype>
 
 namespace mrpp
 {
@@ -102,7 +103,9 @@ const Target &chooseTarget(const ConversionRequest &request, FormatId in)
 {
     if (request.format)
         return targetNamed(*request.format);
-    const std::string extension = request.out.extension().string();
+    std::string extension = request.out.extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     std::vector<const Target *> fitting;
     for (const Target &target : kTargets)
         if (!extension.empty() && hasExtension(target, extension) && canRead(in, target.holds))
@@ -119,7 +122,7 @@ const Target &chooseTarget(const ConversionRequest &request, FormatId in)
             names += (names.empty() ? "" : ", ") + std::string(target.name);
     throw InputError({request.out.string()},
                      (fitting.empty()
-                          ? "the extension '" + extension + "' is of no format that could be written"
+                          ? "no format with the extension '" + extension + "' holds what can be read here"
                           : "several formats have the extension '" + extension + "'") +
                          "; say --to with one of: " + names);
 }

@@ -1,5 +1,6 @@
 #include "problems/formats/FormatId.h"
 
+#include "framework/support/Config.h"
 #include "problems/formats/Formats.h"
 #include "problems/formats/TextReader.h"
 
@@ -35,10 +36,9 @@ bool beginsWithAnEdge(std::string_view text)
         LineCursor cursor(*line);
         if (cursor.atEnd() || cursor.take("#") || cursor.take("%"))
             continue;
-        if (cursor.digits().empty())
-            return false;
+        const auto first = parseInteger(cursor.until(", \t"));
         (void)cursor.take(",");
-        return !cursor.digits().empty() && !cursor.take(":");
+        return first && parseInteger(cursor.until(", \t"));
     }
     return hasLine(text, "# Nodes:");
 }

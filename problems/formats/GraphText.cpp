@@ -34,6 +34,32 @@ double readWeight(const TextReader &reader, LineCursor &cursor)
     return *weight;
 }
 
+/// Behind a `{`: what NetworkX writes, `{}` or `{'weight': 2.5, …}`.
+double readAttributes(const TextReader &reader, LineCursor &cursor)
+{
+    double weight = 1;
+    while (!cursor.take("}"))
+    {
+        const std::string_view key = cursor.until(":}");
+        expectText(reader, cursor, ":", "0 1 {'weight': 2.5}");
+        if (key == "'weight'" || key == "\"weight\"")
+        {
+            const std::size_t column = cursor.column();
+            const std::string_view text = cursor.until(",}");
+            const auto value = parseNumber(text);
+            if (!value)
+                reader.fail(column, inQuotes(text) + " is no weight; expected a number");
+            weight = *value;
+        }
+        else
+            (void)cursor.until(",}");
+        if (cursor.atEnd())
+            reader.fail(cursor.column(), "expected '}' here, as in '0 1 {}'");
+        (void)cursor.take(",");
+    }
+    return weight;
+}
+
 std::string counted(std::size_t count, const char *what)
 {
     return std::to_string(count) + " " + what;
@@ -222,7 +248,9 @@ GraphText parseEdgeList(std::string_view text, const std::string &file)
         (void)cursor.take(",");
         edge.b = readVertex();
         (void)cursor.take(",");
-        if (!cursor.atEnd())
+        if (cursor.take("{"))
+            edge.weight = readAttributes(reader, cursor);
+        else if (!cursor.atEnd())
             edge.weight = readWeight(reader, cursor);
         expectEnd(reader, cursor, form);
         edges.push_back(edge);

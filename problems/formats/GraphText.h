@@ -13,7 +13,7 @@
 /// On the left DIMACS, whose vertices count from 1 (`p edge` or `p col` with `e` lines, of its second
 /// challenge; `p sp` with `a from to weight` lines, of its ninth). On the right a list of edges, whose
 /// vertices count from 0: two numbers and perhaps a weight a line, separated by blanks, tabs or commas,
-/// comments behind `#` or `%`. Neither has coordinates.
+/// comments behind `#` or `%`; NetworkX's `{'weight': 2.5}` is read, too. Neither has coordinates.
 
 #include "framework/model/Graph.h"
 

@@ -190,6 +190,10 @@ void readJson(Plan &plan, std::string_view text, const std::string &file)
         throw ParseError(placeOf(text, error.byte == 0 ? 0 : error.byte - 1, file),
                          "this is no JSON from here on");
     }
+    catch (const nlohmann::json::exception &) // a number beyond all bounds
+    {
+        throw ParseError({file}, "this is no JSON: it holds a number that is too large");
+    }
     if (root.is_array() && root.size() == 1)
         root = nlohmann::json(root.front());
     const auto refuse = [&file](const std::string &what) { throw ParseError({file}, what); };

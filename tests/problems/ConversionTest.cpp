@@ -58,7 +58,7 @@ protected:
 TEST_F(ConversionFolder, GraphsGoThroughEveryFormat)
 {
     std::filesystem::path last = at("room.map");
-    for (const char *name : {"a.graphml", "b.map", "c.graphml", "d.edges", "e.col", "f.graphml"})
+    for (const char *name : {"a.graphml", "b.map", "c.graphml", "d.edges", "e.col", "f.GraphML"})
     {
         EXPECT_EQ(convertFile({last, at(name), {}, {}, {}}).files, std::vector{at(name)});
         EXPECT_EQ(loadGraph(at(name)).graph->fingerprint(), instance_.graph->fingerprint()) << name;
@@ -66,11 +66,13 @@ TEST_F(ConversionFolder, GraphsGoThroughEveryFormat)
     }
     EXPECT_THAT(convertFile({at("room.map"), at("g.col"), {}, {}, {}}).notes,
                 testing::ElementsAre("lost: the vertices' coordinates"));
-    EXPECT_THAT(complaint({at("f.graphml"), at("g.map"), {}, {}, {}}),
+    EXPECT_THAT(complaint({at("f.GraphML"), at("g.map"), {}, {}, {}}),
                 testing::HasSubstr("'movingai_map' cannot hold this: this graph is no grid map"));
     EXPECT_FALSE(std::filesystem::exists(at("g.map")));
-    EXPECT_THAT(complaint({at("room.map"), at("g.instance"), {}, {}, {}}),
-                testing::HasSubstr("is of no format that could be written; say --to with one of: graphml"));
+    EXPECT_THAT(
+        complaint({at("room.map"), at("g.instance"), {}, {}, {}}),
+        testing::HasSubstr("no format with the extension '.instance' holds what can be read here; say --to "
+                           "with one of: graphml"));
     EXPECT_THAT(complaint({at("room.map"), at("g"), {}, {}, "cpf"}),
                 testing::HasSubstr("no instance in this file, but 'cpf' holds one"));
     EXPECT_THAT(complaint({at("room.map"), at("g"), {}, {}, "grapml"}),

@@ -82,6 +82,8 @@ std::vector<Format> formats()
         {"Dimacs", formatDimacs(*graph), [](const std::string &t) { (void)parseDimacs(t, "f"); }},
         {"DimacsArcs", "c arcs\np sp 3 4\na 1 2 2.5\na 2 1 2.5\na 2 3 1\na 3 2 1\n",
          [](const std::string &t) { (void)parseDimacs(t, "f"); }},
+        {"NetworkXEdgeList", "# x\n0 1 {}\n1 2 {'weight': 2.5, 'a': 'b'}\n",
+         [](const std::string &t) { (void)parseEdgeList(t, "f"); }},
         {"EdgeList", formatEdgeList(*graph), [](const std::string &t) { (void)parseEdgeList(t, "f"); }},
         {"Cpf", formatCpf(instance), [](const std::string &t) { (void)parseCpf(t, "f"); }},
         {"Mpf", "V =\n(0,1,0)\n(1,0,2)\n(2,2,0)\n(3,0,1)\nE =\n{0,1}\n{1,2}\n{1,3}\n",

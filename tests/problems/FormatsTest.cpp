@@ -260,6 +260,28 @@ TEST_F(FormatsFolder, TellsFilesByTheirContents)
     }
 }
 
+TEST_F(FormatsFolder, TellsOtherProgramsFilesByTheirContents)
+{
+    const auto vertices = [this](const std::string &contents)
+    { return loadGraph(write("some.file", contents)).graph->vertexCount(); };
+    EXPECT_EQ(vertices("\nc words\np edge 4 1\ne 1 2\n"), 4);
+    EXPECT_EQ(vertices("# words\n0 1\n1 2\n"), 3);
+    EXPECT_EQ(vertices("0,1,2.5\n"), 2);
+    EXPECT_EQ(vertices("words\nV =\n(0:0)[0:0:0]\nE =\n"), 1);
+    EXPECT_EQ(vertices("agents: []\nmap:\n  dimensions: [3, 2]\n"), 6);
+    EXPECT_EQ(vertices("id:1\nV =\n(1:0)[0:0:0]\nE =\nLength:0"), 1);
+    EXPECT_EQ(vertices("V =\n(1:0)[0:0:0]\nE =\nLength:0"), 1);
+    EXPECT_EQ(
+        vertices("<!DOCTYPE graphrec>\n<graphrec version=\"1.0\"><solution><graph><node id=\"1\"/></graph>"
+                 "</solution></graphrec>"),
+        1);
+    // A scenario without its version line is none of numbers alone.
+    write("8room.map", kMap);
+    EXPECT_EQ(loadInstance({write("old.scen", "0\t8room.map\t3\t2\t0\t1\t2\t1\t4\n"), {}, {}})
+                  .instance.robotCount(),
+              1);
+}
+
 TEST_F(FormatsFolder, SaysWhichFormatsAreKnown)
 {
     const auto graph = [this](const char *name, const char *contents)

@@ -59,14 +59,16 @@ TEST(Dimacs, RefusesWhatIsMalformed)
 
 TEST(EdgeList, ReadsWhatOthersWrite)
 {
-    for (const char *text : {"0 1\n1 2\n", "# comment\n0\t1\n1\t2", "% x\r\n0,1\r\n1, 2\r\n",
-                             "# Nodes: 3 Edges: 2\n0 1 1\n1 2 1.0\n"})
+    for (const char *text :
+         {"0 1\n1 2\n", "# comment\n0\t1\n1\t2", "% x\r\n0,1\r\n1, 2\r\n",
+          "# Nodes: 3 Edges: 2\n0 1 1\n1 2 1.0\n", "0 1 {}\n1 2 {'x': 'a', 'weight': 1}\n"})
     {
         const GraphText read = parseEdgeList(text, "f");
         EXPECT_EQ(read.graph->vertexCount(), 3) << text;
         EXPECT_EQ(read.graph->edgeCount(), 2) << text;
         EXPECT_TRUE(read.warnings.empty()) << text;
     }
+    EXPECT_EQ(parseEdgeList("0 1 {'weight': 2.5}\n", "f").graph->weight(0, 1), 2.5);
     EXPECT_EQ(parseEdgeList("# Nodes: 5\n", "f").graph->vertexCount(), 5);
 }
 
@@ -77,6 +79,8 @@ TEST(EdgeList, RefusesWhatIsMalformed)
         {"OneNumber", "0\n", "bad:1:2", "expected a whole number"},
         {"Word", "0 x\n", "bad:1:3", "expected a whole number"},
         {"Weight", "0 1 x\n", "bad:1:5", "'x' is no weight"},
+        {"OpenAttributes", "0 1 {'weight': 2\n", "bad:1:17", "expected '}'"},
+        {"AttributeWithoutValue", "0 1 {'weight'}\n", "bad:1:14", "expected ':'"},
         {"FourNumbers", "0 1 2 3\n", "bad:1:7", "expected the line's end"},
         {"Negative", "0 -1\n", "bad:1:3", "no vertex -1"},
         {"Huge", "0 4000000000\n", "bad:1:3", "no vertex 4000000000"},

@@ -138,6 +138,7 @@ TEST(Tracker, RefusesWhatIsMalformed)
     const std::vector<Refusal> json = {
         {"Empty", "", "bad:1:1", "no JSON"},
         {"Cut", "{\"solution_plan\":\n[\"r\"", "bad:2:5", "no JSON"},
+        {"HugeNumber", "{\"solution_plan\":1e999}", "bad", "a number that is too large"},
         {"OtherObject", "{\"plan\":1}", "bad", "with the key 'solution_plan'"},
         {"Number", "{\"solution_plan\":1}", "bad", "a text or a list of texts"},
         {"Numbers", "{\"solution_plan\":[1]}", "bad", "must be a list of texts"},
