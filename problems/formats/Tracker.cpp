@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
-#include <regex>
 
 namespace mrpp
 {
@@ -311,11 +310,19 @@ std::string shortened(const std::string &letters)
 
 std::optional<TrackerName> trackerName(std::string_view fileName)
 {
-    static const std::regex form("(.+)-(even|random)-([0-9]{1,3})([.]scen)?");
-    std::cmatch part;
-    if (!std::regex_match(fileName.data(), fileName.data() + fileName.size(), part, form))
+    if (fileName.ends_with(".scen"))
+        fileName.remove_suffix(5);
+    const std::size_t second = fileName.rfind('-');
+    if (second == std::string_view::npos || second == 0)
         return std::nullopt;
-    return TrackerName{part[1].str(), part[2].str(), std::stoi(part[3].str())};
+    const std::size_t first = fileName.rfind('-', second - 1);
+    if (first == std::string_view::npos || first == 0)
+        return std::nullopt;
+    const std::string_view type = fileName.substr(first + 1, second - first - 1);
+    const auto number = parseInteger(fileName.substr(second + 1));
+    if ((type != "even" && type != "random") || !number || *number < 1 || *number > 999)
+        return std::nullopt;
+    return TrackerName{std::string(fileName.substr(0, first)), std::string(type), static_cast<int>(*number)};
 }
 
 SolutionRows parseTracker(std::string_view text, const std::string &file, TrackerForm form,
