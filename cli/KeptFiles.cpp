@@ -14,7 +14,7 @@ void KeptFiles::write(const RunSpec &spec, const RunResult &result)
 {
     if (!std::exchange(clean_, true))
         removeLeftovers();
-    if (plan_.keep.instances && cases_.insert(spec.caseId).second)
+    if (plan_.keep.instances && result.instance && cases_.insert(spec.caseId).second)
     {
         const std::filesystem::path stem = folder_ / "instances" / spec.caseId;
         const std::filesystem::path graph = stem.string() + ".graphml";

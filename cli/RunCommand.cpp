@@ -28,7 +28,15 @@ std::string counted(std::size_t count, const std::string &word)
 
 ExitCode dryRun(const BenchmarkPlan &plan, const std::filesystem::path &folder)
 {
-    const std::vector<RunSpec> specs = expand(plan);
+    const std::vector<RunSpec> specs = expand(plan, MissingInput::tolerate);
+    std::set<std::filesystem::path> missing;
+    std::error_code error;
+    for (const ProblemPoint &point : plan.points)
+        for (const std::filesystem::path &file : point.problem->inputFiles())
+            if (!std::filesystem::exists(file, error))
+                missing.insert(file);
+    for (const std::filesystem::path &file : missing)
+        std::cerr << "note: " << file.string() << " is not there yet; --maps says where to look for it\n";
     std::set<std::string> cases;
     for (const RunSpec &spec : specs)
         cases.insert(spec.caseId);

@@ -87,7 +87,15 @@ void checkInputs(const BenchmarkPlan &plan, const Catalog &catalog, const std::v
         if (key != graphKey)
             graph = problem.makeGraph(run.graphSeed);
         graphKey = std::move(key);
-        (void)makeInstance(problem, graph, run.instanceSeed);
+        try
+        {
+            (void)makeInstance(problem, graph, run.instanceSeed);
+        }
+        catch (const DoesNotFit &)
+        {
+            if (!problem.inputFiles().empty())
+                throw;
+        }
     }
 }
 
@@ -175,7 +183,7 @@ private:
     void keep(const RunSpec &run, RunResult &result)
     {
         const std::scoped_lock lock(events_, mutex_);
-        if (postRun_)
+        if (postRun_ && result.instance)
             postRun_(result.record, *result.instance, result.solution);
         if (request_.onFinished)
             request_.onFinished(run, result);

@@ -44,7 +44,7 @@ std::size_t RobotCount::resolve(std::size_t vertices) const
     if (value < 0 || count < 0 || count > capacity || (by != By::occupancy && value != std::floor(value)))
     {
         const char *name = by == By::robots ? "robots" : by == By::free ? "free" : "occupancy";
-        throw InputError(std::string(name) + " = " + formatNumber(value) + " does not fit a graph of " +
+        throw DoesNotFit(std::string(name) + " = " + formatNumber(value) + " does not fit a graph of " +
                          std::to_string(vertices) + " vertices");
     }
     return static_cast<std::size_t>(count);
@@ -136,7 +136,7 @@ Instance randomInstance(std::shared_ptr<const Graph> graph, std::size_t robots, 
     const Components components(*graph);
     std::vector<Vertex> vertices = components.vertices(components.largest());
     if (robots > vertices.size())
-        throw InputError(std::to_string(robots) + " robots do not fit the largest component, which has " +
+        throw DoesNotFit(std::to_string(robots) + " robots do not fit the largest component, which has " +
                          std::to_string(vertices.size()) + " of the graph's " +
                          std::to_string(graph->vertexCount()) + " vertices");
     const auto draw = [&](std::string_view role)

@@ -21,7 +21,7 @@ struct RunResult
     RunRecord record;
     Solution solution;                        ///< the planner's, checked; empty where there is none
     Solution optimized;                       ///< after the optimizers, checked; empty without them
-    std::shared_ptr<const Instance> instance; ///< what the planner was asked
+    std::shared_ptr<const Instance> instance; ///< what the planner was asked; null where there is none
     Progress progress;                        ///< of solve(); empty for planners without such properties
 };
 
@@ -34,8 +34,9 @@ public:
     Executor &operator=(const Executor &) = delete;
 
     /// Carries one run out. Whatever the planner does, a record comes back: a planner's exception is a
-    /// `crash`, a wrong solution `invalid`. May be called from several threads at once. Throws InputError
-    /// where the instance cannot be made.
+    /// `crash`, a wrong solution `invalid`. May be called from several threads at once. Robots
+    /// that do not fit a graph drawn by chance make an `unsupported` run. Throws InputError where the
+    /// instance cannot be made for another reason.
     [[nodiscard]] virtual RunResult execute(const RunSpec &spec, const std::stop_token &stop) = 0;
 };
 

@@ -1,5 +1,7 @@
 #include "framework/campaign/InProcessExecutor.h"
 
+#include "framework/support/Error.h"
+
 namespace mrpp
 {
 
@@ -11,7 +13,19 @@ InProcessExecutor::InProcessExecutor(const BenchmarkPlan &plan, const Catalog &c
 
 RunResult InProcessExecutor::execute(const RunSpec &spec, const std::stop_token &stop)
 {
-    const auto prepared = instance(spec);
+    std::shared_ptr<const PreparedInstance> prepared;
+    try
+    {
+        prepared = instance(spec);
+    }
+    catch (const DoesNotFit &error)
+    {
+        RunResult none;
+        none.record.status = PlannerStatus::unsupported;
+        none.record.reason = std::string("there is no such instance: ") + error.what();
+        fillIdentity(none.record, plan_, spec);
+        return none;
+    }
     std::vector<NamedOptimizer> optimizers;
     for (const Configured &optimizer : plan_.optimizers)
         optimizers.push_back({optimizer.name, create(catalog_.optimizers, optimizer)});

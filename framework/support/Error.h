@@ -63,6 +63,14 @@ public:
     using InputError::InputError;
 };
 
+/// A number of robots that a graph cannot hold. Where the graph was drawn by chance and the plan sweeps
+/// beyond it, such a point is no malformed plan: its runs are recorded as `unsupported`.
+class DoesNotFit : public InputError
+{
+public:
+    using InputError::InputError;
+};
+
 /// A file or folder that cannot be read or written; also exit code 2.
 class FileError : public InputError
 {

@@ -362,7 +362,7 @@ TEST_F(BenchmarkTest, WritesNothingWhereTheInputIsBad)
     writeFile(file, "bad input");
     expectRefused(plan);
     writeFile(file, "good input");
-    plan.points.push_back(fixtures::lanes(4)); // 3 lanes
+    plan.points.push_back(fixtures::lanes(4, file)); // 3 lanes
     expectRefused(plan);
     plan.points.pop_back();
     expectRefused(plan, {.jobs = 0});
@@ -377,6 +377,23 @@ TEST_F(BenchmarkTest, WritesNothingWhereTheInputIsBad)
     expectRefused(plan);
     plan.optimizers.clear();
     EXPECT_EQ(run(plan).finished, 4U);
+}
+
+TEST_F(BenchmarkTest, RecordsPointsThatDoNotFitAGraphDrawnByChance)
+{
+    BenchmarkPlan plan = fixtures::plan({"walker"}, 1);
+    plan.points.push_back(fixtures::lanes(4)); // 3 lanes
+    const auto summary = run(plan);
+    EXPECT_EQ(summary.finished, 4U);
+    EXPECT_EQ(summary.statuses.at(PlannerStatus::unsupported), 1U);
+    const ResultStore store(dir(), ResultStore::Access::read);
+    const auto records = store.records();
+    const auto none = std::find_if(records.begin(), records.end(),
+                                   [](const RunRecord &r) { return r.status == PlannerStatus::unsupported; });
+    ASSERT_NE(none, records.end());
+    EXPECT_EQ(none->reason, "there is no such instance: 4 robots do not fit 3 lanes");
+    EXPECT_EQ(none->time, std::nullopt);
+    EXPECT_EQ(none->caseId.substr(0, 5), "lanes");
 }
 
 TEST_F(BenchmarkTest, RefusesAFolderInWhichAnotherCampaignRuns)

@@ -152,7 +152,7 @@ std::shared_ptr<const Graph> Lanes::makeGraph(Seed) const
 Instance Lanes::makeInstance(std::shared_ptr<const Graph> graph, std::size_t robots, Seed seed) const
 {
     if (robots > static_cast<std::size_t>(rows_))
-        throw InputError(std::to_string(robots) + " robots do not fit " + std::to_string(rows_) + " lanes");
+        throw DoesNotFit(std::to_string(robots) + " robots do not fit " + std::to_string(rows_) + " lanes");
     Instance instance{std::move(graph), {}, {}};
     Random random(seed);
     const auto length = static_cast<std::uint64_t>(length_);

@@ -1,6 +1,6 @@
 # Installs the package to a scratch folder, builds this project against it as an outsider would, runs it, and
 # checks that the code on docs/add-a-planner.md is the code of this folder.
-#   cmake -D SOURCE=… -D BUILD=… -D SCRATCH=… -D COMPILER=… -D FLAGS=… -P RunConsumer.cmake
+#   cmake -D SOURCE=… -D BUILD=… -D SCRATCH=… -D GENERATOR=… -D COMPILER=… -D FLAGS=… -P RunConsumer.cmake
 function(run)
     execute_process(COMMAND ${ARGN} RESULT_VARIABLE code OUTPUT_VARIABLE output ERROR_VARIABLE output)
     if(NOT code EQUAL 0)
@@ -12,7 +12,7 @@ endfunction()
 file(REMOVE_RECURSE "${SCRATCH}")
 run(${CMAKE_COMMAND} --install "${BUILD}" --prefix "${SCRATCH}/prefix")
 file(COPY "${SOURCE}/tests/consumer/" DESTINATION "${SCRATCH}/project")
-run(${CMAKE_COMMAND} -S "${SCRATCH}/project" -B "${SCRATCH}/build" "-DCMAKE_PREFIX_PATH=${SCRATCH}/prefix"
+run(${CMAKE_COMMAND} -S "${SCRATCH}/project" -B "${SCRATCH}/build" -G "${GENERATOR}" "-DCMAKE_PREFIX_PATH=${SCRATCH}/prefix"
     "-DCMAKE_CXX_COMPILER=${COMPILER}" "-DCMAKE_CXX_FLAGS=${FLAGS}")
 run(${CMAKE_COMMAND} --build "${SCRATCH}/build")
 run("${SCRATCH}/build/one_at_a_time" "${SCRATCH}/project/plan.yaml" "${SCRATCH}/results")

@@ -73,6 +73,24 @@ std::vector<RunRecord> records(const BenchmarkPlan &plan)
     return list;
 }
 
+/// What push_and_swap answers to the run of that key.
+std::optional<Solution> solutionOf(const BenchmarkPlan &plan, const std::string &runKey)
+{
+    for (const RunSpec &spec : expand(plan))
+    {
+        if (spec.runKey != runKey || spec.planner != 0)
+            continue;
+        const Problem &problem = *plan.points[spec.point].problem;
+        const auto planner = catalog().planners.create("push_and_swap");
+        planner->setInstance(std::make_shared<Instance>(
+            makeInstance(problem, problem.makeGraph(spec.graphSeed), spec.instanceSeed)));
+        planner->setup();
+        EXPECT_EQ(planner->solve({}), PlannerStatus::solved);
+        return planner->takeSolution();
+    }
+    return std::nullopt;
+}
+
 class EveryReport : public testing::TestWithParam<std::string>
 {
 protected:
@@ -94,7 +112,7 @@ protected:
     {
         BenchmarkPlan p = plan(plannerName);
         auto r = records(p);
-        return {std::move(p), std::move(r), [](const std::string &) { return std::nullopt; }};
+        return {p, std::move(r), [p](const std::string &runKey) { return solutionOf(p, runKey); }};
     }
 
     std::unique_ptr<Report> report_;
