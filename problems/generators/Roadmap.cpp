@@ -29,8 +29,11 @@ std::vector<Point> randomPoints(std::size_t count, Random &random)
     std::vector<Point> points;
     points.reserve(count);
     for (const std::uint64_t place : places)
-        points.push_back(
-            {static_cast<double>(place % side) / kUnit, static_cast<double>(place / side) / kUnit, 0});
+    {
+        const std::uint64_t column = place % side;
+        const std::uint64_t row = place / side;
+        points.push_back({static_cast<double>(column) / kUnit, static_cast<double>(row) / kUnit, 0});
+    }
     return points;
 }
 
