@@ -152,7 +152,8 @@ private:
         {
             const Robot s = displaced_.back();
             const Vertex goal = instance_.goals[s];
-            if (!atGoal(s))
+            // One that was pushed away since travels again by itself.
+            if (!atGoal(s) && arrived_[s] != 0)
             {
                 if (!board_.isFree(goal) || !board_.graph().hasEdge(board_.position(s), goal))
                     return;

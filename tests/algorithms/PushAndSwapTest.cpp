@@ -2,6 +2,7 @@
 
 #include "algorithms/optimizers/RedundancyRemoval.h"
 #include "framework/Catalog.h"
+#include "framework/analysis/Components.h"
 #include "framework/evaluation/Validator.h"
 #include "problems/Problems.h"
 #include "tests/support/BruteForce.h"
@@ -194,6 +195,47 @@ TEST(PushAndSwap, SolvesScrambledSparseGraphsWithFewFreeVertices)
         ASSERT_EQ(answer.status, PlannerStatus::solved) << "seed " << seed << ": " << answer.reason;
         ASSERT_TRUE(validate(instance, answer.solution, MotionRule::pebble).valid());
     }
+}
+
+/// Dense maps with obstacles, in random order: swaps, resolves and setbacks of many robots at once.
+TEST(PushAndSwap, StaysLegalOnDenseMaps)
+{
+    std::size_t solved = 0;
+    for (Seed seed = 1; seed <= 1500; ++seed)
+    {
+        Random random(seed);
+        const std::size_t width = 4 + random.below(10);
+        const std::size_t height = 3 + random.below(10);
+        const double obstacles = 0.4 * random.uniform();
+        std::vector<Vertex> cell(width * height, kNoVertex);
+        Vertex cells = 0;
+        for (Vertex &c : cell)
+            if (random.uniform() >= obstacles)
+                c = cells++;
+        std::vector<Graph::Edge> edges;
+        for (std::size_t i = 0; i < cell.size(); ++i)
+        {
+            if (cell[i] == kNoVertex)
+                continue;
+            if ((i + 1) % width != 0 && cell[i + 1] != kNoVertex)
+                edges.push_back({cell[i], cell[i + 1]});
+            if (i + width < cell.size() && cell[i + width] != kNoVertex)
+                edges.push_back({cell[i], cell[i + width]});
+        }
+        const auto graph = Graph::fromEdges(cells, edges);
+        const Components components(*graph);
+        const std::size_t room = cells == 0 ? 0 : components.size(components.largest());
+        const auto robots =
+            static_cast<std::size_t>((0.5 + 0.5 * random.uniform()) * static_cast<double>(room));
+        const Instance instance = randomInstance(graph, robots, seed);
+        const Answer answer = plan(instance, 5, {{"order", "random"}, {"attempts", "3"}});
+        if (answer.status != PlannerStatus::solved)
+            continue;
+        ++solved;
+        const Verdict verdict = validate(instance, answer.solution, MotionRule::pebble);
+        ASSERT_TRUE(verdict.valid()) << "seed " << seed << ": " << verdict.violation;
+    }
+    EXPECT_GT(solved, 500U);
 }
 
 TEST(PushAndSwap, IsDeterministic)
