@@ -64,12 +64,6 @@ void OneFactor::chooseGenerator(const std::string &family, const SourceLocation 
     generator_->configure(settings, context());
 }
 
-void OneFactor::check() const
-{
-    if (robots() && robots()->by != RobotCount::By::occupancy)
-        static_cast<void>(robotCount(*makeGraph(0)));
-}
-
 Instance OneFactor::makeInstance(std::shared_ptr<const Graph> graph, std::size_t robots, Seed seed) const
 {
     return solvable_ ? solvableInstance(std::move(graph), robots, seed)

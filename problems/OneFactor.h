@@ -34,7 +34,6 @@ public:
     /// The graph's: "grid 8×8".
     [[nodiscard]] std::string name() const override { return generator_->name(); }
     [[nodiscard]] bool variesGraph() const override { return varies_ == Varies::graph; }
-    void check() const override;
     [[nodiscard]] std::shared_ptr<const Graph> makeGraph(Seed seed) const override
     {
         return generator_->makeGraph(seed);
