@@ -265,7 +265,7 @@ std::string breakable(const std::string &text, bool isLong)
 
 } // namespace
 
-PdfPages::PdfPages(std::string title, std::string footer) : state_(std::make_unique<State>())
+PdfPages::PdfPages(const std::string &title, const std::string &footer) : state_(std::make_unique<State>())
 {
     State &s = *state_;
     s.title = oneLine(title);
@@ -376,7 +376,8 @@ void PdfPages::table(const std::vector<PdfTableColumn> &columns,
     const auto lay = [&](std::size_t column, const std::string &text, const std::string &font, int lines)
     {
         return s.layout(
-            breakable(oneLine(text), characterCount(text) * fontSize * 0.55 > widths[column]),
+            breakable(oneLine(text),
+                      static_cast<double>(characterCount(text)) * fontSize * 0.55 > widths[column]),
             {font, widths[column], columns[column].isRight ? PANGO_ALIGN_RIGHT : PANGO_ALIGN_LEFT, lines});
     };
 

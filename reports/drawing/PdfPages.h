@@ -42,7 +42,7 @@ class PdfPages
 {
 public:
     /// \param footer on every page beside its number
-    explicit PdfPages(std::string title, std::string footer);
+    PdfPages(const std::string &title, const std::string &footer);
     ~PdfPages();
     PdfPages(const PdfPages &) = delete;
     PdfPages &operator=(const PdfPages &) = delete;
