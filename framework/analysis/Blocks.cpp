@@ -34,12 +34,14 @@ void Blocks::search(const Graph &graph)
     position_.assign(n, kNone);
     subtreeSize_.assign(n, 1);
     parent_.assign(n, kNoVertex);
+    root_.resize(n);
     parentBlock_.assign(n, kNone);
     std::vector<std::uint32_t> low(n); ///< the smallest position that the subtree's edges reach
     std::vector<std::uint32_t> next(n, 0);
     std::vector<Vertex> open; ///< met, but their block towards the root is not complete
-    const auto meet = [&](Vertex v)
+    const auto meet = [&](Vertex v, Vertex root)
     {
+        root_[v] = root;
         low[v] = position_[v] = static_cast<std::uint32_t>(preorder_.size());
         preorder_.push_back(v);
         open.push_back(v);
@@ -59,7 +61,7 @@ void Blocks::search(const Graph &graph)
     {
         if (position_[root] != kNone)
             continue;
-        meet(root);
+        meet(root, root);
         for (Vertex v = root; v != kNoVertex;)
         {
             if (next[v] < graph.degree(v))
@@ -68,7 +70,7 @@ void Blocks::search(const Graph &graph)
                 if (position_[w] == kNone)
                 {
                     parent_[w] = v;
-                    meet(w);
+                    meet(w, root);
                     v = w;
                 }
                 else if (w != parent_[v])

@@ -93,6 +93,8 @@ public:
     [[nodiscard]] std::size_t position(Vertex v) const { return position_[v]; } ///< of v in preorder()
     [[nodiscard]] std::size_t subtreeSize(Vertex v) const { return subtreeSize_[v]; }
     [[nodiscard]] Vertex parent(Vertex v) const { return parent_[v]; } ///< kNoVertex at a root
+    /// The root of the search in the component of v: its smallest vertex.
+    [[nodiscard]] Vertex root(Vertex v) const { return root_[v]; }
 
 private:
     template <class T>
@@ -110,6 +112,7 @@ private:
     std::vector<std::uint32_t> position_;
     std::vector<std::uint32_t> subtreeSize_;
     std::vector<Vertex> parent_;
+    std::vector<Vertex> root_;
     std::vector<std::uint32_t> parentBlock_; ///< a vertex's block towards the root; none at a root
     std::vector<Vertex> tops_;               ///< size count()
     std::vector<std::uint32_t> vertexOffsets_;

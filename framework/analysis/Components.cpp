@@ -49,4 +49,18 @@ std::vector<Vertex> Components::vertices(std::uint32_t component) const
     return list;
 }
 
+std::vector<ComponentShape> componentShapes(const Graph &graph, const Components &components)
+{
+    std::vector<ComponentShape> shapes(components.count(), ComponentShape::polygon);
+    for (Vertex v = 0; v < graph.vertexCount(); ++v)
+    {
+        ComponentShape &shape = shapes[components.of(v)];
+        if (graph.degree(v) >= 3)
+            shape = ComponentShape::branching;
+        else if (graph.degree(v) <= 1 && shape == ComponentShape::polygon)
+            shape = ComponentShape::path;
+    }
+    return shapes;
+}
+
 } // namespace mrpp

@@ -31,4 +31,15 @@ private:
     std::vector<std::size_t> sizes_;       ///< size count()
 };
 
+/// On a path the robots keep their order whatever they do, on a polygon their cyclic order.
+enum class ComponentShape
+{
+    path,      ///< a tree without a vertex of degree three or more; also a single vertex
+    polygon,   ///< one cycle and nothing else
+    branching, ///< has a vertex of degree three or more
+};
+
+/// The shape of each component. O(V).
+[[nodiscard]] std::vector<ComponentShape> componentShapes(const Graph &graph, const Components &components);
+
 } // namespace mrpp

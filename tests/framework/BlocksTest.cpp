@@ -197,9 +197,11 @@ TEST(Blocks, SubtreesAreRangesOfThePreorder)
     {
         const auto graph = randomGraph(random);
         const Blocks blocks(*graph);
+        const Components components(*graph);
         for (Vertex v = 0; v < graph->vertexCount(); ++v)
         {
             ASSERT_EQ(blocks.preorder()[blocks.position(v)], v);
+            ASSERT_EQ(components.vertices(components.of(v)).front(), blocks.root(v));
             for (Vertex w = 0; w < graph->vertexCount(); ++w)
             {
                 Vertex up = w;

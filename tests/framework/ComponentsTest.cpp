@@ -45,5 +45,24 @@ TEST(Components, ALongPathIsOne)
     EXPECT_EQ(Components(*Graph::fromEdges(200000, edges)).count(), 1U);
 }
 
+TEST(Components, ArePathsPolygonsOrBranching)
+{
+    const auto graph = Graph::fromEdges(15, {{1, 2},
+                                             {2, 3},
+                                             {4, 5},
+                                             {5, 6},
+                                             {6, 4},
+                                             {7, 8},
+                                             {8, 9},
+                                             {9, 7},
+                                             {9, 10},
+                                             {11, 12},
+                                             {12, 13},
+                                             {12, 14}});
+    using enum ComponentShape;
+    EXPECT_THAT(componentShapes(*graph, Components(*graph)),
+                ElementsAre(path, path, polygon, branching, branching));
+}
+
 } // namespace
 } // namespace mrpp
