@@ -225,12 +225,13 @@ Vertex center(const Graph &graph, const Landmarks &landmarks)
 } // namespace
 
 PushAndSwap::PushAndSwap()
-    : Planner({.citation =
-                   "R. Luna, K. E. Bekris, Push and Swap: Fast Cooperative Path-Finding with Completeness "
-                   "Guarantees, IJCAI 2011, pp. 294-300",
-               .motion = MotionRule::pebble,
-               .completeFor = "not complete; made for connected graphs with at least two free vertices",
-               .provesInfeasibility = false})
+    : RestartingPlanner(
+          {.citation =
+               "R. Luna, K. E. Bekris, Push and Swap: Fast Cooperative Path-Finding with Completeness "
+               "Guarantees, IJCAI 2011, pp. 294-300",
+           .motion = MotionRule::pebble,
+           .completeFor = "not complete; made for connected graphs with at least two free vertices",
+           .provesInfeasibility = false})
 {
     declareParam("order", order_, "far_first,given,random",
                  "who plans first: goals far from the graph's centre, the instance's order, or chance");
@@ -251,13 +252,13 @@ void PushAndSwap::setup()
     landmarks_ = std::make_unique<Landmarks>(graph());
 }
 
-std::vector<Robot> PushAndSwap::priorities(std::int64_t attempt) const
+std::vector<Robot> PushAndSwap::priorities(std::uint64_t attempt, std::int64_t retry) const
 {
     std::vector<Robot> order(instance().robotCount());
     std::iota(order.begin(), order.end(), 0);
-    if (attempt > 0 || order_ == "random")
+    if (attempt > 0 || retry > 0 || order_ == "random")
     {
-        Random(deriveSeed(seed(), "order", attempt)).shuffle(std::span(order));
+        Random(deriveSeed(attemptSeed(attempt), "order", retry)).shuffle(std::span(order));
     }
     else if (order_ == "far_first" && !order.empty())
     {
@@ -271,24 +272,23 @@ std::vector<Robot> PushAndSwap::priorities(std::int64_t attempt) const
     return order;
 }
 
-PlannerStatus PushAndSwap::solve(const TerminationCondition &ptc)
+RestartingPlanner::Outcome PushAndSwap::attempt(std::uint64_t number, const TerminationCondition &ptc) const
 {
-    if (!landmarks_)
-        setup();
     PathFinder paths(graph(), *landmarks_);
     std::string reason;
-    for (std::int64_t i = 0; i < attempts_; ++i)
+    for (std::int64_t retry = 0; retry < attempts_; ++retry)
     {
-        Attempt attempt(instance(), paths, priorities(i), static_cast<PathFinder::Cost>(swapPrice_), ptc);
+        Attempt attempt(instance(), paths, priorities(number, retry),
+                        static_cast<PathFinder::Cost>(swapPrice_), ptc);
         const PlannerStatus status = attempt.run();
         if (status == PlannerStatus::solved)
-            setSolution(attempt.takeSolution());
-        if (status != PlannerStatus::gave_up)
-            return status;
-        if (i == 0)
+            return {status, {}, attempt.takeSolution()};
+        if (retry == 0)
             reason = attempt.reason();
+        if (status != PlannerStatus::gave_up)
+            return {status, reason, {}};
     }
-    return because(PlannerStatus::gave_up, reason);
+    return {PlannerStatus::gave_up, reason, {}};
 }
 
 } // namespace mrpp

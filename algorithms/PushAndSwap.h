@@ -20,9 +20,9 @@
 /// nor swap works, robots that have arrived may be pushed away and planned anew, and orders are tried again a
 /// bounded number of times.
 
+#include "algorithms/RestartingPlanner.h"
 #include "algorithms/pebble/PebbleOperations.h"
 #include "algorithms/search/PathFinder.h"
-#include "framework/Planner.h"
 
 #include <memory>
 #include <optional>
@@ -31,17 +31,17 @@
 namespace mrpp
 {
 
-class PushAndSwap final : public Planner
+class PushAndSwap final : public RestartingPlanner
 {
 public:
     PushAndSwap();
 
     void setup() override;
-    PlannerStatus solve(const TerminationCondition &ptc) override;
     void clear() override;
 
 private:
-    std::vector<Robot> priorities(std::int64_t attempt) const;
+    Outcome attempt(std::uint64_t number, const TerminationCondition &ptc) const override;
+    std::vector<Robot> priorities(std::uint64_t attempt, std::int64_t retry) const;
 
     std::string order_ = "far_first";
     std::int64_t attempts_ = 20;

@@ -48,6 +48,7 @@ Json planners(const Catalog &catalog)
                       item["citation"] = planner.specs().citation;
                       item["motion"] = std::string(toString(planner.specs().motion));
                       item["complete_for"] = planner.specs().completeFor;
+                      item["complete"] = planner.specs().complete;
                       item["proves_infeasibility"] = planner.specs().provesInfeasibility;
                       item["parameters"] = toJson(planner.parameters());
                   });

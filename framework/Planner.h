@@ -46,6 +46,7 @@ struct PlannerSpecs
     MotionRule motion = MotionRule::pebble; ///< the narrowest rule under which its solutions are legal
     std::string completeFor;                ///< the class of instances that it always solves, in words
     bool provesInfeasibility = false;       ///< whether `infeasible` is a proof it can give
+    bool complete = false;                  ///< it solves every solvable instance that it does not reject
 };
 
 class Planner
@@ -72,7 +73,7 @@ public:
         return std::nullopt;
     }
 
-    /// Preprocessing; timed apart from solve().
+    /// Preprocessing, before solve(); timed apart from it.
     virtual void setup() {}
 
     /// Looks for a solution until it has one or `ptc` says stop. On `solved` and `partial` solution() holds

@@ -1,0 +1,111 @@
+#include "algorithms/RestartingPlanner.h"
+
+#include "algorithms/optimizers/RedundancyRemoval.h"
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <thread>
+
+namespace mrpp
+{
+
+namespace
+{
+
+/// The best of the attempts so far; for several threads.
+class Best
+{
+public:
+    explicit Best(const Instance &instance) : instance_(instance) {}
+
+    void offer(std::uint64_t number, RestartingPlanner::Outcome outcome)
+    {
+        const bool solved = outcome.status == PlannerStatus::solved;
+        const std::size_t length =
+            solved ? RedundancyRemoval().improve(instance_, outcome.solution, {}).pathLength() : 0;
+        const Key key{solved ? 0 : 1, length, number};
+        const std::lock_guard lock(mutex_);
+        if (key < key_)
+        {
+            key_ = key;
+            outcome_ = std::move(outcome);
+        }
+    }
+
+    void fail(std::exception_ptr error)
+    {
+        const std::lock_guard lock(mutex_);
+        error_ = std::move(error);
+    }
+
+    /// \pre every thread has ended and something was offered
+    RestartingPlanner::Outcome take()
+    {
+        if (error_)
+            std::rethrow_exception(error_);
+        return std::move(outcome_);
+    }
+
+private:
+    /// Solved ones first, then by length, then by number.
+    using Key = std::tuple<int, std::size_t, std::uint64_t>;
+
+    const Instance &instance_;
+    std::mutex mutex_;
+    Key key_{2, 0, 0};
+    RestartingPlanner::Outcome outcome_{};
+    std::exception_ptr error_;
+};
+
+} // namespace
+
+RestartingPlanner::RestartingPlanner(PlannerSpecs specs) : Planner(std::move(specs))
+{
+    declareParam("restarts", restarts_, "1:1000000",
+                 "attempts with other orders and tie-breaks; the shortest after redundancy removal is kept");
+    declareParam("threads", threads_, "0:256",
+                 "threads for the restarts; 0: as many as the machine has cores");
+}
+
+PlannerStatus RestartingPlanner::solve(const TerminationCondition &ptc)
+{
+    Outcome outcome = attempt(0, ptc);
+    // The first attempt's proof, refusal or end of time stands; only chance can be tried again.
+    const bool again = outcome.status == PlannerStatus::solved || outcome.status == PlannerStatus::gave_up;
+    if (restarts_ > 1 && again)
+    {
+        Best best(instance());
+        best.offer(0, std::move(outcome));
+        std::atomic<std::uint64_t> next = 1;
+        const auto restarts = static_cast<std::uint64_t>(restarts_);
+        const auto work = [&]
+        {
+            try
+            {
+                for (std::uint64_t number = next++; number < restarts && !ptc(); number = next++)
+                    best.offer(number, attempt(number, ptc));
+            }
+            catch (...)
+            {
+                best.fail(std::current_exception());
+                next = restarts;
+            }
+        };
+        const std::uint64_t cores = threads_ > 0 ? static_cast<std::uint64_t>(threads_)
+                                                 : std::max(1U, std::thread::hardware_concurrency());
+        {
+            std::vector<std::jthread> helpers;
+            for (std::uint64_t i = 1; i < std::min(cores, restarts); ++i)
+                helpers.emplace_back(work);
+            work();
+        }
+        outcome = best.take();
+    }
+    if (outcome.status == PlannerStatus::solved)
+        setSolution(std::move(outcome.solution));
+    return because(outcome.status, std::move(outcome.reason));
+}
+
+} // namespace mrpp
