@@ -1,13 +1,16 @@
 #pragma once
 /// \file
 /// Where the robots stand while a solution is being made, and the moves so far. Every change is one recorded
-/// move into a free vertex, so that any stretch can be taken back or replayed.
+/// move into a free vertex, or one recorded rotation of a full cycle, so that any stretch can be taken back
+/// or replayed.
 
 #include "framework/model/Instance.h"
 #include "framework/model/Solution.h"
 
+#include <algorithm>
 #include <cassert>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace mrpp
@@ -36,14 +39,28 @@ public:
         assert(isFree(to) && graph_.hasEdge(positions_[r], to));
         moves_.push_back({r, positions_[r], to});
         occupants_[positions_[r]] = kNoRobot;
-        occupants_[to] = r;
-        positions_[r] = to;
+        place(r, to);
+    }
+
+    /// All robots of a full cycle move at once, each to the next vertex of it, the last one to the first.
+    /// \pre three or more vertices, each next to the following one, the last to the first; none is free
+    void rotate(std::span<const Vertex> cycle)
+    {
+        assert(cycle.size() >= 3);
+        const std::size_t first = moves_.size();
+        for (std::size_t i = 0; i < cycle.size(); ++i)
+        {
+            const Vertex to = cycle[i + 1 < cycle.size() ? i + 1 : 0];
+            assert(!isFree(cycle[i]) && graph_.hasEdge(cycle[i], to));
+            moves_.push_back({occupants_[cycle[i]], cycle[i], to});
+        }
+        finishRotation(first);
     }
 
     /// Every move so far.
     [[nodiscard]] std::span<const Move> moves() const { return moves_; }
 
-    /// A point to come back to.
+    /// A point to come back to; never within a rotation.
     using Mark = std::size_t;
     [[nodiscard]] Mark mark() const { return moves_.size(); }
 
@@ -52,33 +69,78 @@ public:
     {
         while (moves_.size() > mark)
         {
+            if (!rotations_.empty() && rotations_.back().first + rotations_.back().size == moves_.size())
+            {
+                for (const Move &turned : std::span(moves_).subspan(rotations_.back().first))
+                    place(turned.robot, turned.from);
+                moves_.resize(rotations_.back().first);
+                rotations_.pop_back();
+                continue;
+            }
             const Move last = moves_.back();
             moves_.pop_back();
             occupants_[last.to] = kNoRobot;
-            occupants_[last.from] = last.robot;
-            positions_[last.robot] = last.from;
+            place(last.robot, last.from);
         }
     }
 
     /// *Reverse*: undoes the moves [first, last) by new moves, last one first, with the names of r and s
-    /// exchanged: everybody but these two comes back to where they stood at `first`.
+    /// exchanged: everybody but these two comes back to where they stood at `first`. A rotation is turned
+    /// back.
     void reverse(Mark first, Mark last, Robot r, Robot s)
     {
-        for (Mark i = last; i-- > first;)
+        const auto renamed = [r, s](Robot robot) { return robot == r ? s : robot == s ? r : robot; };
+        auto rotation = static_cast<std::size_t>(std::partition_point(rotations_.begin(), rotations_.end(),
+                                                                      [last](const Solution::Rotation &done)
+                                                                      { return done.first < last; }) -
+                                                 rotations_.begin());
+        for (Mark i = last; i > first;)
         {
-            const Move done = moves_[i];
-            move(done.robot == r ? s : done.robot == s ? r : done.robot, done.from);
+            const bool turned =
+                rotation > 0 && rotations_[rotation - 1].first + rotations_[rotation - 1].size == i;
+            if (!turned)
+            {
+                const Move done = moves_[--i];
+                move(renamed(done.robot), done.from);
+                continue;
+            }
+            const std::size_t begin = rotations_[--rotation].first;
+            const std::size_t newFirst = moves_.size();
+            while (i > begin)
+            {
+                const Move done = moves_[--i];
+                moves_.push_back({renamed(done.robot), done.to, done.from});
+            }
+            finishRotation(newFirst);
         }
     }
 
     /// Gives the moves away.
-    [[nodiscard]] Solution takeSolution() { return Solution(std::move(moves_)); }
+    [[nodiscard]] Solution takeSolution()
+    {
+        return {std::exchange(moves_, {}), std::exchange(rotations_, {})};
+    }
 
 private:
+    void place(Robot r, Vertex v)
+    {
+        positions_[r] = v;
+        occupants_[v] = r;
+    }
+
+    /// Makes the moves from `first` on, which were only recorded so far, one rotation.
+    void finishRotation(std::size_t first)
+    {
+        rotations_.push_back({first, moves_.size() - first});
+        for (const Move &turned : std::span(moves_).subspan(first))
+            place(turned.robot, turned.to);
+    }
+
     const Graph &graph_;
     std::vector<Vertex> positions_; ///< size = robots
     std::vector<Robot> occupants_;  ///< size = vertices
     std::vector<Move> moves_;
+    std::vector<Solution::Rotation> rotations_; ///< ascending
 };
 
 } // namespace mrpp

@@ -1,6 +1,7 @@
 #include "algorithms/pebble/PebbleOperations.h"
 
 #include "framework/Problem.h"
+#include "framework/evaluation/Validator.h"
 #include "tests/support/RandomCases.h"
 
 #include <gtest/gtest.h>
@@ -41,6 +42,46 @@ TEST(PebbleBoard, TakesMovesBack)
     EXPECT_EQ(table.positions(), (std::vector<Vertex>{0, 8}));
     EXPECT_TRUE(table.board.moves().empty());
     EXPECT_TRUE(table.board.isFree(1));
+}
+
+TEST(PebbleBoard, TakesRotationsBack)
+{
+    Table table(Graph::fromEdges(4, {{0, 1}, {1, 2}, {2, 0}, {0, 3}}), {0, 1, 2});
+    const std::vector<Vertex> triangle = {0, 1, 2};
+    table.board.move(0, 3);
+    table.board.move(0, 0);
+    const auto mark = table.board.mark();
+    table.board.rotate(triangle);
+    EXPECT_EQ(table.positions(), (std::vector<Vertex>{1, 2, 0}));
+    table.board.rotate(triangle);
+    table.board.move(1, 3);
+    table.board.rollback(mark);
+    EXPECT_EQ(table.positions(), (std::vector<Vertex>{0, 1, 2}));
+    table.board.rollback(0);
+    EXPECT_TRUE(table.board.moves().empty());
+    EXPECT_EQ(table.board.takeSolution().actionCount(), 0U);
+}
+
+TEST(PebbleBoard, ReversesRotations)
+{
+    Table table(Graph::fromEdges(4, {{0, 1}, {1, 2}, {2, 0}, {0, 3}}), {0, 1, 2});
+    const std::vector<Vertex> triangle = {0, 1, 2};
+    table.board.rotate(triangle);
+    table.board.move(2, 3);
+    table.board.move(2, 0);
+    const auto first = table.board.mark();
+    table.board.rotate(triangle);
+    table.board.rotate(triangle);
+    table.board.move(0, 3);
+    table.board.move(0, 0);
+    table.board.reverse(first, table.board.mark(), 0, 0);
+    EXPECT_EQ(table.positions(), (std::vector<Vertex>{1, 2, 0}));
+    table.board.reverse(0, first, 0, 0);
+    EXPECT_EQ(table.positions(), (std::vector<Vertex>{0, 1, 2}));
+    const Solution solution = table.board.takeSolution();
+    EXPECT_EQ(solution.pathLength(), 26U);
+    EXPECT_EQ(solution.actionCount(), 14U);
+    EXPECT_TRUE(validate(table.instance, solution, MotionRule::rotation).valid());
 }
 
 TEST(ClearVertex, ShiftsEverybodyOnTheShortestWayToAFreeVertex)
