@@ -7,7 +7,8 @@ namespace mrpp
 
 PebbleOperations::PebbleOperations(PebbleBoard &board, const TerminationCondition &ptc)
     : board_(board), graph_(board.graph()), ptc_(ptc), freeSearch_(graph_.vertexCount()),
-      junctionSearch_(graph_.vertexCount()), avoidStamps_(graph_.vertexCount(), 0)
+      junctionSearch_(graph_.vertexCount()), avoidStamps_(graph_.vertexCount(), 0),
+      cycleStamps_(graph_.vertexCount(), 0)
 {}
 
 void PebbleOperations::avoid(std::span<const Vertex> vertices)
@@ -22,6 +23,8 @@ bool PebbleOperations::clearVertex(Vertex v, const Blocked &blocked)
     const auto isBlocked = [&](Vertex w)
     {
         if (std::find(blocked.vertices.begin(), blocked.vertices.end(), w) != blocked.vertices.end())
+            return true;
+        if (blocked.cycle && cycleStamps_[w] == cycleStamp_)
             return true;
         const Robot r = board_.occupant(w);
         return blocked.robots != nullptr && r != kNoRobot && (*blocked.robots)[r] != 0;
@@ -42,9 +45,12 @@ bool PebbleOperations::clearVertex(Vertex v, const Blocked &blocked)
         const Vertex u = freeSearch_.next();
         if (!board_.isFree(u))
         {
-            for (const Vertex w : graph_.neighbors(u))
-                if (!freeSearch_.visited(w) && !isBlocked(w))
-                    freeSearch_.visit(w, u);
+            forNeighbors(u,
+                         [&](Vertex w)
+                         {
+                             if (!freeSearch_.visited(w) && !isBlocked(w))
+                                 freeSearch_.visit(w, u);
+                         });
             continue;
         }
         const bool avoided = avoidStamps_[u] == avoidStamp_;
@@ -72,18 +78,42 @@ bool PebbleOperations::push(Robot r, Vertex v, const std::vector<char> *stay)
     return true;
 }
 
+std::span<const Vertex> PebbleOperations::aroundJunction(Vertex junction)
+{
+    if (random_ == nullptr)
+        return graph_.neighbors(junction);
+    around_.assign(graph_.neighbors(junction).begin(), graph_.neighbors(junction).end());
+    random_->shuffle(std::span(around_));
+    return around_;
+}
+
+bool PebbleOperations::canSwap(Robot r, Robot s) const
+{
+    return subgraphs_ == nullptr || (assignment_[r] != kNoSubgraph && assignment_[r] == assignment_[s]);
+}
+
+bool PebbleOperations::isJunctionOf(Robot r, Vertex v) const
+{
+    return graph_.degree(v) >= 3 && (subgraphs_ == nullptr || subgraphs_->of(v) == assignment_[r]);
+}
+
 bool PebbleOperations::swap(Robot r, Robot s)
 {
+    if (!canSwap(r, s))
+        return false;
     junctionSearch_.begin();
     junctionSearch_.visit(board_.position(r), kNoVertex);
     junctionSearch_.visit(board_.position(s), kNoVertex);
     while (!junctionSearch_.done())
     {
         const Vertex junction = junctionSearch_.next();
-        for (const Vertex w : graph_.neighbors(junction))
-            if (!junctionSearch_.visited(w))
-                junctionSearch_.visit(w, junction);
-        if (graph_.degree(junction) < 3)
+        forNeighbors(junction,
+                     [&](Vertex w)
+                     {
+                         if (!junctionSearch_.visited(w))
+                             junctionSearch_.visit(w, junction);
+                     });
+        if (!isJunctionOf(r, junction))
             continue;
         if (ptc_())
             return false;
@@ -116,7 +146,7 @@ bool PebbleOperations::multipush(Robot leader, Robot follower, std::span<const V
     for (std::size_t i = 1; i < path.size(); ++i)
     {
         const Vertex left = board_.position(leader);
-        if (!clearVertex(path[i], {{left, board_.position(follower)}}))
+        if (ptc_() || !clearVertex(path[i], {{left, board_.position(follower)}}))
             return false;
         board_.move(leader, path[i]);
         board_.move(follower, left);
@@ -131,7 +161,7 @@ bool PebbleOperations::clear(Robot r, Robot s, Vertex junction)
 {
     const Vertex beside = board_.position(s);
     Vertex free = kNoVertex;
-    for (const Vertex v : graph_.neighbors(junction))
+    for (const Vertex v : aroundJunction(junction))
     {
         if (!board_.isFree(v))
             continue;
@@ -141,7 +171,7 @@ bool PebbleOperations::clear(Robot r, Robot s, Vertex junction)
     }
 
     // Stage 1: push a neighbour's occupant outwards, away from the junction.
-    for (const Vertex v : graph_.neighbors(junction))
+    for (const Vertex v : aroundJunction(junction))
     {
         if (v == beside || v == free)
             continue;
@@ -160,7 +190,7 @@ bool PebbleOperations::clear(Robot r, Robot s, Vertex junction)
 /// Stage 2: push another neighbour's occupant out through the free one, then free that one again.
 bool PebbleOperations::clearThroughFree(Vertex junction, Vertex beside, Vertex free)
 {
-    for (const Vertex v : graph_.neighbors(junction))
+    for (const Vertex v : aroundJunction(junction))
     {
         const PebbleBoard::Mark mark = board_.mark();
         if (v == beside || v == free || !clearVertex(v, {{junction, beside}}))
@@ -178,7 +208,7 @@ bool PebbleOperations::clearThroughFree(Vertex junction, Vertex beside, Vertex f
 bool PebbleOperations::clearThroughBeside(Robot r, Robot s, Vertex junction, Vertex free)
 {
     const Vertex beside = board_.position(s);
-    for (const Vertex v : graph_.neighbors(junction))
+    for (const Vertex v : aroundJunction(junction))
     {
         if (v == beside || v == free)
             continue;
@@ -205,7 +235,7 @@ bool PebbleOperations::clearByBackingOff(Robot r, Robot s, Vertex junction, Vert
     board_.move(r, beside);
     if (!clearVertex(free, {{junction, beside, board_.position(s)}}))
         return false;
-    for (const Vertex v : graph_.neighbors(junction))
+    for (const Vertex v : aroundJunction(junction))
     {
         if (v == beside || v == free || v == board_.position(s))
             continue;
@@ -228,7 +258,7 @@ void PebbleOperations::exchange(Robot onJunction, Robot beside, Vertex junction)
     const Vertex outside = board_.position(beside);
     Vertex first = kNoVertex;
     Vertex second = kNoVertex;
-    for (const Vertex v : graph_.neighbors(junction))
+    for (const Vertex v : aroundJunction(junction))
     {
         if (board_.isFree(v))
         {
@@ -243,6 +273,57 @@ void PebbleOperations::exchange(Robot onJunction, Robot beside, Vertex junction)
     board_.move(onJunction, junction);
     board_.move(onJunction, outside);
     board_.move(beside, junction);
+}
+
+bool PebbleOperations::rotate(std::span<const Vertex> cycle)
+{
+    for (std::size_t i = 0; i < cycle.size(); ++i)
+    {
+        if (board_.isFree(cycle[i]))
+        {
+            cascade(cycle, i);
+            return true;
+        }
+    }
+    ++cycleStamp_;
+    for (const Vertex v : cycle)
+        cycleStamps_[v] = cycleStamp_;
+    for (std::size_t i = 0; i < cycle.size() && !ptc_(); ++i)
+    {
+        const Vertex exit = cycle[i];
+        const std::size_t hole = i == 0 ? cycle.size() - 1 : i - 1;
+        const PebbleBoard::Mark start = board_.mark();
+        const Robot pushed = board_.occupant(exit);
+        cycleStamps_[exit] = 0;
+        const bool cleared = clearVertex(exit, {.vertices = {}, .cycle = true});
+        cycleStamps_[exit] = cycleStamp_;
+        if (!cleared)
+            continue;
+        const PebbleBoard::Mark pushedOff = board_.mark();
+        const Robot next = board_.occupant(cycle[hole]);
+        board_.move(next, exit);
+        if (swap(pushed, next))
+        {
+            cascade(cycle, hole);
+            board_.reverse(start, pushedOff, pushed, next);
+            return true;
+        }
+        board_.rollback(start);
+    }
+    return false;
+}
+
+/// Every robot on the cycle goes one vertex on; those behind the hole first.
+void PebbleOperations::cascade(std::span<const Vertex> cycle, std::size_t hole)
+{
+    std::size_t to = hole;
+    for (std::size_t steps = 1; steps < cycle.size(); ++steps)
+    {
+        const std::size_t from = to == 0 ? cycle.size() - 1 : to - 1;
+        if (!board_.isFree(cycle[from]))
+            board_.move(board_.occupant(cycle[from]), cycle[to]);
+        to = from;
+    }
 }
 
 } // namespace mrpp

@@ -4,6 +4,7 @@
 /// landmark bounds and a bucket queue. Run many times on one graph; a search costs what it visits.
 
 #include "algorithms/search/Landmarks.h"
+#include "framework/support/TerminationCondition.h"
 
 #include <algorithm>
 #include <array>
@@ -31,12 +32,16 @@ public:
           stamps_(graph.vertexCount(), 0)
     {}
 
-    /// The cheapest path from `from` to `to`, both included; empty where there is none.
+    /// The cheapest path from `from` to `to`, both included; empty where there is none, or where the
+    /// termination condition says stop. Valid until the next call.
     /// \param enterCost a function of a vertex: kStep … kMaxEnterCost, or kImpassable; the start's is not
     /// asked
     template <class EnterCost>
-    const std::vector<Vertex> &find(Vertex from, Vertex to, const EnterCost &enterCost)
+    const std::vector<Vertex> &find(Vertex from, Vertex to, const EnterCost &enterCost,
+                                    const TerminationCondition &ptc = {})
     {
+        constexpr std::uint32_t kPollInterval = 4096;
+        std::uint32_t untilPoll = kPollInterval;
         begin();
         path_.clear();
         reach(from, kNoVertex, 0, kStep * landmarks_.lowerBound(from, to));
@@ -45,6 +50,12 @@ public:
             const auto [v, cost] = *open;
             if (cost != costs_[v])
                 continue;
+            if (--untilPoll == 0)
+            {
+                if (ptc())
+                    break;
+                untilPoll = kPollInterval;
+            }
             if (v == to)
             {
                 for (Vertex u = to; u != kNoVertex; u = parents_[u])
