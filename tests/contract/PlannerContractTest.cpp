@@ -4,9 +4,10 @@
 #include "framework/evaluation/Validator.h"
 #include "tests/contract/EverythingRegistered.h"
 #include "tests/support/BruteForce.h"
+#include "tests/support/CpuClock.h"
 #include "tests/support/RandomCases.h"
 
-#include <chrono>
+#include <algorithm>
 
 namespace mrpp
 {
@@ -119,6 +120,29 @@ TEST_P(EveryPlanner, NeverSolvesTheImpossibleNorProvesThePossibleImpossible)
         {
             EXPECT_FALSE(solvable);
         }
+        if (status && planner_->specs().complete)
+        {
+            EXPECT_EQ(status == PlannerStatus::solved, solvable);
+        }
+    }
+}
+
+TEST_P(EveryPlanner, SolvesWhateverItTakesIfItIsComplete)
+{
+    if (!planner_->specs().complete)
+        GTEST_SKIP() << "is not complete";
+    for (Seed seed = 1; seed <= 300; ++seed)
+    {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        const std::size_t vertices = 3 + random.below(40);
+        const auto graph = test::randomConnectedGraph(vertices, random.below(vertices), seed);
+        const std::size_t free = 1 + random.below(std::min<std::size_t>(6, vertices - 1));
+        const auto status = run(test::randomSolvableInstance(graph, vertices - free, seed), seed);
+        if (status)
+        {
+            EXPECT_EQ(status, PlannerStatus::solved) << planner_->reason();
+        }
     }
 }
 
@@ -164,20 +188,66 @@ TEST_P(EveryPlanner, GivesTheSameSolutionForTheSameSeed)
     EXPECT_EQ(fresh->solution(), first);
 }
 
-TEST_P(EveryPlanner, StopsSoonAfterItIsTold)
+/// How long a planner works between two looks at its termination condition, in processor time, so that other
+/// work on the machine does not count.
+class PollWatch
 {
-    for (const std::size_t side : {3U, 60U})
+public:
+    explicit PollWatch(double limit) : start_(test::cpuSeconds()), last_(start_), limit_(limit) {}
+
+    bool poll()
     {
-        const Instance instance = randomInstance(test::gridGraph(side, side), side * side - 2, 4);
+        const double now = test::cpuSeconds();
+        longest_ = std::max(longest_, now - last_);
+        last_ = now;
+        return now - start_ >= limit_;
+    }
+
+    [[nodiscard]] double longest() const { return longest_; }
+
+private:
+    double start_;
+    double last_;
+    double limit_; ///< processor seconds
+    double longest_ = 0;
+};
+
+TEST_P(EveryPlanner, StopsWithinFiftyMillisecondsOfAnyLimit)
+{
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__) || !defined(NDEBUG)
+    constexpr double kMost = 1.0;
+#else
+    constexpr double kMost = 0.05;
+#endif
+    const auto tree = test::randomConnectedGraph(20'000, 0, 3);
+    const auto sparse = test::randomConnectedGraph(1'000, 300, 3);
+    const Instance instances[] = {
+        randomInstance(test::gridGraph(3, 3), 7, 4),
+        randomInstance(test::gridGraph(60, 60), 3598, 4),
+        randomInstance(test::gridGraph(60, 60), 3599, 4),
+        randomInstance(test::gridGraph(300, 200), 3000, 4),
+        test::randomWalks(tree, 10'000, 200'000, 5).instance,
+        test::randomSolvedCase(sparse, 990, 20'000, 5).instance,
+        test::randomSolvedCase(sparse, 999, 20'000, 5).instance,
+    };
+    for (const Instance &instance : instances)
+    {
+        SCOPED_TRACE(std::to_string(instance.robotCount()) + " robots on " +
+                     std::to_string(instance.graph->vertexCount()) + " vertices");
         if (planner_->reasonToReject(instance))
             continue;
-        planner_->setInstance(std::make_shared<Instance>(instance));
-        planner_->setup();
-        const auto start = std::chrono::steady_clock::now();
-        const PlannerStatus status = planner_->solve(TerminationCondition::after(0));
-        const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-        EXPECT_LT(seconds.count(), 1.0);
-        EXPECT_TRUE(status == PlannerStatus::timeout || status == PlannerStatus::solved) << toString(status);
+        for (const double limit : {0.0, 0.001, 0.003, 0.01, 0.03, 0.1, 0.3})
+        {
+            planner_->setInstance(std::make_shared<Instance>(instance));
+            planner_->setup();
+            PollWatch watch(limit);
+            const PlannerStatus status =
+                planner_->solve(TerminationCondition::when([&watch] { return watch.poll(); }));
+            watch.poll();
+            EXPECT_LT(watch.longest(), kMost) << "limit of " << limit << " s, " << toString(status);
+            if (status != PlannerStatus::timeout)
+                break;
+        }
     }
 }
 
