@@ -1,6 +1,7 @@
 #include "algorithms/Algorithms.h"
 
 #include "algorithms/PushAndSwap.h"
+#include "algorithms/Tass.h"
 #include "algorithms/optimizers/RedundancyRemoval.h"
 
 namespace mrpp
@@ -10,6 +11,7 @@ void registerAlgorithms(Catalog &catalog)
 {
     catalog.planners.add<PushAndSwap>("push_and_swap",
                                       "push aside or swap at a junction, one robot after another");
+    catalog.planners.add<Tass>("tass", "trees: filled from the leaves inwards, swaps at junctions");
 
     catalog.optimizers.add<RedundancyRemoval>(
         "redundancy_removal", "deletes a robot's walks that come back with nobody having been there");
