@@ -1,5 +1,6 @@
 #include "algorithms/Algorithms.h"
 
+#include "algorithms/Bibox.h"
 #include "algorithms/PushAndSwap.h"
 #include "algorithms/Tass.h"
 #include "algorithms/optimizers/RedundancyRemoval.h"
@@ -9,6 +10,8 @@ namespace mrpp
 
 void registerAlgorithms(Catalog &catalog)
 {
+    catalog.planners.add<Bibox>("bibox",
+                                "fills handle after handle of a biconnected graph, then sorts a cycle");
     catalog.planners.add<PushAndSwap>("push_and_swap",
                                       "push aside or swap at a junction, one robot after another");
     catalog.planners.add<Tass>("tass", "trees: filled from the leaves inwards, swaps at junctions");

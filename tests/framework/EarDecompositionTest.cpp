@@ -1,6 +1,6 @@
 #include "framework/analysis/EarDecomposition.h"
 
-#include "framework/analysis/Blocks.h"
+#include "tests/support/BiconnectedGraphs.h"
 #include "tests/support/CpuClock.h"
 #include "tests/support/RandomCases.h"
 #include "tests/support/SmallGraphs.h"
@@ -20,13 +20,6 @@ using ::testing::IsEmpty;
 using ::testing::UnorderedElementsAre;
 
 using Growth = EarDecomposition::Growth;
-
-bool isBiconnected(const Graph &graph)
-{
-    const Blocks blocks(graph);
-    return graph.vertexCount() >= 3 && blocks.count() == 1 &&
-           blocks.vertices(0).size() == graph.vertexCount();
-}
 
 /// A cycle with handles whose ends and lengths (1 … longest inner vertices) are random.
 std::shared_ptr<const Graph> randomBiconnected(std::size_t cycle, std::size_t handles, std::size_t longest,
@@ -89,7 +82,7 @@ TEST(EarDecomposition, OfEverySmallBiconnectedGraphIsOne)
     for (std::size_t vertices = 3; vertices <= 7; ++vertices)
         for (const auto &graph : test::connectedGraphs(vertices))
         {
-            if (!isBiconnected(*graph))
+            if (!test::isBiconnected(*graph))
                 continue;
             ++graphs;
             const auto shortest = shortCycle(*graph);

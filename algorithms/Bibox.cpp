@@ -1,0 +1,145 @@
+#include "algorithms/Bibox.h"
+
+#include "algorithms/bibox/Carrier.h"
+#include "algorithms/bibox/CycleSorter.h"
+#include "algorithms/bibox/HandleFiller.h"
+#include "framework/analysis/Blocks.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace mrpp
+{
+
+namespace
+{
+
+/// Moves robots (that is, goals) until `count` vertices of the first cycle are free, each time by a shortest
+/// path from a free vertex elsewhere.
+void freeTheCycle(PebbleBoard &goals, const EarDecomposition &ears, std::size_t count)
+{
+    const Graph &graph = goals.graph();
+    std::size_t free = 0;
+    for (const Vertex v : ears.cycle())
+        free += goals.isFree(v) ? 1 : 0;
+    StampedSearch search(graph.vertexCount());
+    for (; free < count; ++free)
+    {
+        search.begin();
+        for (const Vertex v : ears.cycle())
+            if (!goals.isFree(v))
+                search.visit(v, kNoVertex);
+        Vertex hole = kNoVertex;
+        while (hole == kNoVertex)
+        {
+            const Vertex u = search.next();
+            if (goals.isFree(u) && ears.level(u) > 0)
+                hole = u;
+            for (const Vertex w : graph.neighbors(u))
+                if (!search.visited(w))
+                    search.visit(w, u);
+        }
+        for (Vertex behind = search.parent(hole); behind != kNoVertex; behind = search.parent(hole))
+        {
+            if (!goals.isFree(behind))
+                goals.move(goals.occupant(behind), hole);
+            hole = behind;
+        }
+    }
+}
+
+} // namespace
+
+Bibox::Bibox()
+    : RestartingPlanner(
+          {.citation = "P. Surynek, A Novel Approach to Path Planning for Multiple Robots in "
+                       "Bi-connected Graphs, ICRA 2009, pp. 3613-3619",
+           .motion = MotionRule::pebble,
+           .completeFor = "biconnected graphs that are no cycle, with two or more free vertices",
+           .provesInfeasibility = false,
+           .complete = true})
+{
+    declareParam("handles", handles_, "shortest,depth_first",
+                 "how the graph is taken apart: always the shortest handle, or as a depth-first search meets "
+                 "them");
+    declareParam("free_on_cycle", freeOnCycle_, "2:1000000",
+                 "free vertices that are kept for the first cycle, if there are as many");
+}
+
+std::optional<std::string> Bibox::reasonToReject(const Instance &instance) const
+{
+    const Graph &graph = *instance.graph;
+    if (graph.vertexCount() < 3)
+        return "BIBOX needs a biconnected graph, and this one has " + std::to_string(graph.vertexCount()) +
+               " vertices";
+    const Blocks blocks(graph);
+    for (Vertex v = 0; v < graph.vertexCount(); ++v)
+    {
+        if (blocks.root(v) != 0)
+            return "the graph is not connected: no path leads from vertex 0 to vertex " + std::to_string(v);
+        if (blocks.isCutVertex(v))
+            return "the graph is not biconnected: vertex " + std::to_string(v) + " is a cut vertex";
+    }
+    if (blocks.isCycle(0))
+        return "the graph is a cycle, on which no robot can pass another";
+    if (instance.freeCount() < 2)
+        return "BIBOX needs two free vertices, and there are " + std::to_string(instance.freeCount()) +
+               "; with one, see bibox_theta";
+    return std::nullopt;
+}
+
+void Bibox::clear()
+{
+    Planner::clear();
+    ears_.reset();
+}
+
+void Bibox::setup()
+{
+    ears_ = std::make_unique<const EarDecomposition>(decompose(0));
+}
+
+EarDecomposition Bibox::decompose(std::uint64_t number) const
+{
+    const auto growth =
+        handles_ == "shortest" ? EarDecomposition::Growth::shortest : EarDecomposition::Growth::depthFirst;
+    if (number == 0)
+        return {graph(), shortCycle(graph()), growth};
+    Random random(attemptSeed(number));
+    const auto through = static_cast<Vertex>(random.below(graph().vertexCount()));
+    return {graph(), shortestCycleThrough(graph(), through), growth, random.bits()};
+}
+
+RestartingPlanner::Outcome Bibox::attempt(std::uint64_t number, const TerminationCondition &ptc) const
+{
+    if (instance().starts == instance().goals)
+        return {PlannerStatus::solved, {}, {}};
+    std::optional<EarDecomposition> others;
+    if (number > 0)
+        others.emplace(decompose(number));
+    const EarDecomposition &ears = others ? *others : *ears_;
+
+    PebbleBoard goals({instance().graph, instance().goals, {}});
+    freeTheCycle(
+        goals, ears,
+        std::min({instance().freeCount(), ears.cycle().size(), static_cast<std::size_t>(freeOnCycle_)}));
+    std::vector<Robot> goalRobots(graph().vertexCount());
+    for (Vertex v = 0; v < goalRobots.size(); ++v)
+        goalRobots[v] = goals.occupant(v);
+
+    PebbleBoard board(instance());
+    OpenGraph open(graph(), ears);
+    Carrier carrier(board, open, ptc);
+    HandleFiller filler(carrier, goalRobots);
+    for (std::size_t i = ears.handleCount(); i-- > 0;)
+        if (ptc() || !filler.fill(i))
+            return {PlannerStatus::timeout, {}, {}};
+    if (!CycleSorter(carrier, goalRobots).sort())
+        return {PlannerStatus::timeout, {}, {}};
+    const auto finish = goals.moves();
+    for (std::size_t i = finish.size(); i-- > 0;)
+        board.move(finish[i].robot, finish[i].from);
+    return {PlannerStatus::solved, {}, board.takeSolution()};
+}
+
+} // namespace mrpp
