@@ -1,5 +1,6 @@
 #include "problems/generators/Biconnected.h"
 
+#include "problems/generators/Drawing.h"
 #include "problems/generators/HandleGraph.h"
 
 #include <algorithm>
@@ -36,7 +37,7 @@ std::shared_ptr<const Graph> Biconnected::makeGraph(Seed seed) const
     for (std::int64_t i = 0; i < handles_; ++i)
         graph.addRandomHandle(
             handle_ == "uniform" ? 1 + random.below(longest) : std::max<std::size_t>(1, longest / 2), random);
-    return Graph::fromEdges(graph.vertexCount(), graph.edges(), graph.coordinates());
+    return drawnGraph(graph.vertexCount(), graph.edges());
 }
 
 } // namespace mrpp

@@ -49,4 +49,33 @@ void Chambers::open(std::size_t chamber, std::size_t neighbor, std::size_t offse
     }
 }
 
+ChamberGenerator::ChamberGenerator(std::string family, std::string sizeName, std::string sizeHelp,
+                                   std::int64_t size)
+    : family_(std::move(family)), size_(size)
+{
+    declareParam("width", width_, "1:1000000", "cells in a row");
+    declareParam("height", height_, "1:1000000", "rows");
+    declareParam(std::move(sizeName), size_, "1:1000", std::move(sizeHelp));
+}
+
+std::string ChamberGenerator::name() const
+{
+    return family_ + " " + std::to_string(width_) + "×" + std::to_string(height_) + "-" +
+           std::to_string(size_);
+}
+
+void ChamberGenerator::checkParameters() const
+{
+    requireSize(static_cast<double>(width_) * static_cast<double>(height_));
+}
+
+std::shared_ptr<const Graph> ChamberGenerator::makeGraph(Seed seed) const
+{
+    Random random(seed);
+    Chambers chambers(static_cast<std::size_t>(width_), static_cast<std::size_t>(height_),
+                      static_cast<std::size_t>(size_));
+    openDoors(chambers, random);
+    return chambers.graph();
+}
+
 } // namespace mrpp

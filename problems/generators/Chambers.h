@@ -1,8 +1,10 @@
 #pragma once
 /// \file
-/// A map divided into chambers by walls one cell thick, into which doors are cut: mazes and rooms.
+/// A map divided into chambers by walls one cell thick, into which doors are cut, and what the generators
+/// have in common that cut them: mazes and rooms.
 
 #include "problems/generators/CellMap.h"
+#include "problems/generators/Generator.h"
 
 namespace mrpp
 {
@@ -36,6 +38,30 @@ private:
     std::size_t columns_;
     std::size_t rows_;
     CellMap cells_;
+};
+
+/// A generator that differs from others in the doors alone.
+class ChamberGenerator : public Generator
+{
+public:
+    /// "maze 32×32-2": width, height, size of a chamber.
+    [[nodiscard]] std::string name() const override;
+    [[nodiscard]] std::shared_ptr<const Graph> makeGraph(Seed seed) const override;
+
+protected:
+    /// Declares width and height, and the side of a chamber under the given name.
+    ChamberGenerator(std::string family, std::string sizeName, std::string sizeHelp, std::int64_t size);
+
+    void checkParameters() const override;
+
+    /// Opens walls until all chambers are connected.
+    virtual void openDoors(Chambers &chambers, Random &random) const = 0;
+
+private:
+    std::string family_;
+    std::int64_t width_ = 32;
+    std::int64_t height_ = 32;
+    std::int64_t size_;
 };
 
 } // namespace mrpp

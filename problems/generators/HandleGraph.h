@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Grows a biconnected graph: a cycle first, then one handle (ear) after another, drawn as it grows.
+/// Grows a biconnected graph: a cycle first, then one handle (ear) after another.
 ///
 /// A graph is biconnected exactly where it can be grown so: H. Whitney, "Non-separable and planar graphs",
 /// Transactions of the AMS 34, 1932. Every handle brings a new vertex, so no edge is ever parallel.
@@ -16,10 +16,10 @@ namespace mrpp
 class HandleGraph
 {
 public:
-    /// A cycle of the vertices 0 … size−1 around the origin, neighbours one apart. \pre size ≥ 3
+    /// A cycle of the vertices 0 … size−1. \pre size ≥ 3
     explicit HandleGraph(std::size_t size);
 
-    /// Joins x and y by a path of `inner` new vertices, numbered from x to y; drawn as a bow.
+    /// Joins x and y by a path of `inner` new vertices, numbered from x to y.
     /// \pre x ≠ y, both exist, inner ≥ 1
     void addHandle(Vertex x, Vertex y, std::size_t inner);
 
@@ -27,14 +27,12 @@ public:
     /// are one, the second becomes the vertex before it.
     void addRandomHandle(std::size_t inner, Random &random);
 
-    [[nodiscard]] std::size_t vertexCount() const { return coordinates_.size(); }
+    [[nodiscard]] std::size_t vertexCount() const { return vertexCount_; }
     [[nodiscard]] const std::vector<Graph::Edge> &edges() const { return edges_; }
-    [[nodiscard]] const std::vector<Point> &coordinates() const { return coordinates_; }
 
 private:
     std::vector<Graph::Edge> edges_;
-    std::vector<Point> coordinates_;
-    std::size_t handles_ = 0;
+    std::size_t vertexCount_;
 };
 
 } // namespace mrpp

@@ -6,7 +6,6 @@
 #include "problems/generators/RandomTree.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace mrpp
 {
@@ -39,47 +38,34 @@ std::vector<std::size_t> isthmusLengths(std::size_t count, std::size_t longest, 
     return lengths;
 }
 
-/// The parts of a graph put together, each with its drawing.
+/// The parts of a graph put together.
 struct Assembly
 {
+    std::size_t vertexCount = 0;
     std::vector<Graph::Edge> edges;
-    std::vector<Point> coordinates;
 
     /// Returns the first vertex of the block.
-    Vertex add(const HandleGraph &block, const Point &centre)
+    Vertex add(const HandleGraph &block)
     {
-        const auto first = static_cast<Vertex>(coordinates.size());
+        const auto first = static_cast<Vertex>(vertexCount);
         for (const Graph::Edge &edge : block.edges())
             edges.push_back({edge.a + first, edge.b + first});
-        for (const Point &point : block.coordinates())
-            coordinates.push_back({point.x + centre.x, point.y + centre.y, 0});
+        vertexCount += block.vertexCount();
         return first;
     }
 
     void join(Vertex a, Vertex b, std::size_t length)
     {
-        const Point from = coordinates[a];
-        const Point to = coordinates[b];
         Vertex last = a;
         for (std::size_t i = 1; i < length; ++i)
         {
-            const double t = static_cast<double>(i) / static_cast<double>(length);
-            const auto next = static_cast<Vertex>(coordinates.size());
-            coordinates.push_back(drawnPoint(from.x + t * (to.x - from.x), from.y + t * (to.y - from.y)));
+            const auto next = static_cast<Vertex>(vertexCount++);
             edges.push_back({last, next});
             last = next;
         }
         edges.push_back({last, b});
     }
 };
-
-double radiusOf(const HandleGraph &block)
-{
-    double radius = 0;
-    for (const Point &point : block.coordinates())
-        radius = std::max(radius, std::hypot(point.x, point.y));
-    return radius;
-}
 
 } // namespace
 
@@ -118,25 +104,18 @@ std::shared_ptr<const Graph> Isthmus::makeGraph(Seed seed) const
 
     // What is left goes to the blocks in equal shares.
     std::vector<HandleGraph> parts;
-    double spacing = 0;
     for (std::size_t i = 0; i < blocks; ++i)
     {
         const std::size_t size = kSmallestBlock + spare / blocks + (i < spare % blocks ? 1 : 0);
         parts.push_back(randomBlock(size, static_cast<std::size_t>(maxHandleLength_), random));
-        spacing = std::max(spacing, radiusOf(parts.back()));
     }
-    spacing = 2 * spacing + static_cast<double>(longest);
 
     auto joints = uniformTree(blocks, random);
     random.shuffle(std::span(joints));
-    const auto plan = drawnGraph(blocks, joints);
     Assembly whole;
     std::vector<Vertex> first;
-    for (std::size_t i = 0; i < blocks; ++i)
-    {
-        const Point &centre = plan->coordinate(static_cast<Vertex>(i));
-        first.push_back(whole.add(parts[i], drawnPoint(centre.x * spacing, centre.y * spacing)));
-    }
+    for (const HandleGraph &part : parts)
+        first.push_back(whole.add(part));
     for (std::size_t i = 0; i < joints.size(); ++i)
     {
         const auto pick = [&](Vertex block)
@@ -145,7 +124,7 @@ std::shared_ptr<const Graph> Isthmus::makeGraph(Seed seed) const
         const Vertex b = pick(joints[i].b);
         whole.join(a, b, lengths[i]);
     }
-    return Graph::fromEdges(static_cast<std::size_t>(vertices_), whole.edges, std::move(whole.coordinates));
+    return drawnGraph(whole.vertexCount, whole.edges);
 }
 
 } // namespace mrpp

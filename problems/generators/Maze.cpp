@@ -1,18 +1,14 @@
 #include "problems/generators/Maze.h"
 
-#include "problems/generators/Chambers.h"
-
 #include <algorithm>
 #include <array>
 
 namespace mrpp
 {
 
-namespace
-{
+Maze::Maze() : ChamberGenerator("maze", "corridor", "cells across a corridor", 1) {}
 
-/// Opens the walls along a randomized depth-first search.
-void carve(Chambers &chambers, Random &random)
+void Maze::openDoors(Chambers &chambers, Random &random) const
 {
     std::vector<char> seen(chambers.count(), 0);
     std::vector<std::size_t> trail{random.below(chambers.count())};
@@ -43,34 +39,6 @@ void carve(Chambers &chambers, Random &random)
         seen[next] = 1;
         trail.push_back(next);
     }
-}
-
-} // namespace
-
-Maze::Maze()
-{
-    declareParam("width", width_, "1:1000000", "cells in a row");
-    declareParam("height", height_, "1:1000000", "rows");
-    declareParam("corridor", corridor_, "1:1000", "cells across a corridor");
-}
-
-std::string Maze::name() const
-{
-    return "maze " + std::to_string(width_) + "×" + std::to_string(height_) + "-" + std::to_string(corridor_);
-}
-
-void Maze::checkParameters() const
-{
-    requireSize(static_cast<double>(width_) * static_cast<double>(height_));
-}
-
-std::shared_ptr<const Graph> Maze::makeGraph(Seed seed) const
-{
-    Random random(seed);
-    Chambers chambers(static_cast<std::size_t>(width_), static_cast<std::size_t>(height_),
-                      static_cast<std::size_t>(corridor_));
-    carve(chambers, random);
-    return chambers.graph();
 }
 
 } // namespace mrpp

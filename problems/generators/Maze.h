@@ -12,27 +12,19 @@
 /// randomized depth-first search over the squares. Where the corridors do not fill the map evenly, the last
 /// column and row of squares are wider. The map has no outer wall. O(cells).
 
-#include "problems/generators/Generator.h"
+#include "problems/generators/Chambers.h"
 
 namespace mrpp
 {
 
-class Maze : public Generator
+class Maze : public ChamberGenerator
 {
 public:
     Maze();
 
-    /// "maze 32×32-2": size, width of the corridors.
-    [[nodiscard]] std::string name() const override;
-    [[nodiscard]] std::shared_ptr<const Graph> makeGraph(Seed seed) const override;
-
 protected:
-    void checkParameters() const override;
-
-private:
-    std::int64_t width_ = 32;
-    std::int64_t height_ = 32;
-    std::int64_t corridor_ = 1;
+    /// Along a randomized depth-first search, each wall as a whole.
+    void openDoors(Chambers &chambers, Random &random) const override;
 };
 
 } // namespace mrpp

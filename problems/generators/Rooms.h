@@ -13,27 +13,21 @@
 /// place. Where the rooms do not fill the map evenly, the last column and row of rooms are larger. The map
 /// has no outer wall. O(cells).
 
-#include "problems/generators/Generator.h"
+#include "problems/generators/Chambers.h"
 
 namespace mrpp
 {
 
-class Rooms : public Generator
+class Rooms : public ChamberGenerator
 {
 public:
     Rooms();
 
-    /// "rooms 32×32-7": size, side of a room.
-    [[nodiscard]] std::string name() const override;
-    [[nodiscard]] std::shared_ptr<const Graph> makeGraph(Seed seed) const override;
-
 protected:
-    void checkParameters() const override;
+    /// One cell in each wall of a random spanning tree, and of others by chance.
+    void openDoors(Chambers &chambers, Random &random) const override;
 
 private:
-    std::int64_t width_ = 32;
-    std::int64_t height_ = 32;
-    std::int64_t room_ = 7;
     double doors_ = 0.5;
 };
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
 
 namespace mrpp
 {
@@ -34,6 +35,8 @@ Scale scaleFor(std::size_t vertices)
         return {false, 24, 13, 2.2, 1.4};
     return {false, 14, 8, 1.6, 1};
 }
+
+constexpr double kDiameters = 0.6; ///< of a vertex and the gap beside it, in spacings
 
 std::string inches(double points)
 {
@@ -223,6 +226,35 @@ private:
 
 } // namespace
 
+namespace
+{
+
+/// What a tenth of the places have their nearest one within. \param places sorted
+double crampedDistance(const std::vector<std::pair<double, double>> &places)
+{
+    std::vector<double> nearest;
+    for (std::size_t i = 0; i < places.size(); ++i)
+    {
+        double least = std::numeric_limits<double>::infinity();
+        const auto isBeyond = [&](std::size_t j)
+        {
+            const double across = places[j].first - places[i].first;
+            least = std::min(least, std::hypot(across, places[j].second - places[i].second));
+            return std::abs(across) > least;
+        };
+        for (std::size_t j = i; j-- > 0 && !isBeyond(j);)
+            ;
+        for (std::size_t j = i + 1; j < places.size() && !isBeyond(j); ++j)
+            ;
+        nearest.push_back(least);
+    }
+    const auto tenth = nearest.begin() + static_cast<std::ptrdiff_t>(nearest.size() / 10);
+    std::nth_element(nearest.begin(), tenth, nearest.end());
+    return *tenth;
+}
+
+} // namespace
+
 std::optional<Placement> placeByCoordinates(const Graph &graph, double spacing)
 {
     if (!graph.hasCoordinates())
@@ -266,6 +298,8 @@ std::optional<Placement> placeByCoordinates(const Graph &graph, double spacing)
         std::nth_element(lengths.begin(), middle, lengths.end());
         unit = *middle;
     }
+    if (places.size() <= kLargestGraph)
+        unit = std::min(unit, std::max(unit / 2, crampedDistance(places) / kDiameters));
     constexpr double kLargestPage = 14000; // points; PDF ends at 200 inches
     const double extent = std::max({most[0] - least[0], most[1] - least[1], unit});
     const double factor = std::min(spacing / unit, kLargestPage / extent);

@@ -30,7 +30,8 @@ struct Placement
 };
 
 /// From the graph's coordinates, where no two vertices share theirs: scaled so that neighbours lie `spacing`
-/// apart (the median), y turned upwards. Nothing where there are none that can be used. O(V log V + E).
+/// apart (the median; further where vertices would overlap), y turned upwards. Nothing where there are none
+/// that can be used. O(V log V + E).
 [[nodiscard]] std::optional<Placement> placeByCoordinates(const Graph &graph, double spacing);
 
 /// Draws an instance; `solution` may be null. The same input gives the same bytes.
