@@ -228,12 +228,18 @@ void repelFar(const std::vector<Place> &places, std::vector<Place> &forces)
         for (std::size_t corner = 0; corner < shares.size(); ++corner)
             mass[spot.point + kCorners[corner]] += shares[corner];
     }
+    const auto columnOf = [](std::size_t point) { return static_cast<double>(point % kMesh); };
+    const auto rowOf = [](std::size_t point)
+    {
+        const std::size_t row = point / kMesh;
+        return static_cast<double>(row);
+    };
     std::array<Place, kMesh * kMesh> field{};
     for (std::size_t p = 0; p < field.size(); ++p)
         for (std::size_t q = 0; q < field.size(); ++q)
         {
-            const double x = static_cast<double>(p % kMesh) - static_cast<double>(q % kMesh);
-            const double y = static_cast<double>(p / kMesh) - static_cast<double>(q / kMesh);
+            const double x = columnOf(p) - columnOf(q);
+            const double y = rowOf(p) - rowOf(q);
             const double strength = mass[q] / ((x * x + y * y + 1) * side);
             field[p].x += x * strength;
             field[p].y += y * strength;
@@ -279,9 +285,10 @@ void follow(const std::vector<Place> &forces, double farthest, std::vector<Place
 }
 
 /// How often the places of so many vertices are improved.
-double iterations(std::size_t vertices)
+std::size_t iterations(std::size_t vertices)
 {
-    return 100 * std::sqrt(std::min(1.0, 1000 / static_cast<double>(vertices)));
+    const double rounds = 100 * std::sqrt(std::min(1.0, 1000 / static_cast<double>(vertices)));
+    return static_cast<std::size_t>(std::ceil(rounds));
 }
 
 /// Springs against repulsion: over all ways that matter in small graphs, in large ones over short ways and by
@@ -292,9 +299,9 @@ void relax(const Graph &graph, std::vector<Place> &places)
     constexpr double kFar = 6;
     constexpr double kNear = 2;
     const bool exact = places.size() <= kExact;
-    const double rounds = iterations(places.size());
+    const std::size_t rounds = iterations(places.size());
     std::vector<Place> forces;
-    for (double i = 0; i < rounds; ++i)
+    for (std::size_t i = 0; i < rounds; ++i)
     {
         forces.assign(places.size(), {});
         attract(graph, places, forces);
@@ -302,7 +309,7 @@ void relax(const Graph &graph, std::vector<Place> &places)
         Cells(places, reach).repel(reach, forces, [](double squared) { return 1 / (squared + 1e-6); });
         if (!exact)
             repelFar(places, forces);
-        follow(forces, 1 - i / rounds, places);
+        follow(forces, 1 - static_cast<double>(i) / static_cast<double>(rounds), places);
     }
 }
 
@@ -311,7 +318,8 @@ void separate(const Graph &graph, std::vector<Place> &places)
 {
     const double gap = std::min(1.0, 0.65 * meanEdgeLength(graph, places)); // in dense graphs no more than 1
     std::vector<Place> forces;
-    for (double i = 0; i < iterations(places.size()) / 3; ++i)
+    const std::size_t rounds = (iterations(places.size()) + 2) / 3;
+    for (std::size_t i = 0; i < rounds; ++i)
     {
         forces.assign(places.size(), {});
         Cells(places, gap)

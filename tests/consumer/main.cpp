@@ -1,4 +1,5 @@
 #include "OneAtATime.h"
+#include "Star.h"
 
 #include "algorithms/Algorithms.h"
 #include "framework/Benchmark.h"
@@ -16,6 +17,7 @@ int main(int, char **arguments)
     mrpp::registerProblems(catalog);
     mrpp::registerReports(catalog);
     catalog.planners.add<OneAtATime>("one_at_a_time", "shortest paths around everybody else");
+    catalog.problems.add<Star>("star", "arms around one vertex, from whose ends robots change places");
 
     mrpp::Benchmark benchmark(mrpp::readPlan(arguments[1], catalog), catalog);
     const auto summary = benchmark.benchmark({.folder = arguments[2]}, {});
