@@ -345,6 +345,11 @@ Answered refuse(const std::string &complaint, const std::string &command)
     return {ExitCode::wrongUse};
 }
 
+std::string noSuchSubcommand(const CLI::App &command, const std::string &word)
+{
+    return "there is no '" + word + "' to " + command.get_name() + suggestion(word, commandNames(command));
+}
+
 /// The first word that nobody asked for, in words; empty where there is none.
 std::string unexpected(const CLI::App &command)
 {
@@ -356,8 +361,7 @@ std::string unexpected(const CLI::App &command)
         return {};
     const std::string &word = extras.front();
     if (!word.starts_with('-') && command.get_subcommands().empty() && !commandNames(command).empty())
-        return "there is no '" + word + "' to " + command.get_name() +
-               suggestion(word, commandNames(command));
+        return noSuchSubcommand(command, word);
     if (!word.starts_with('-'))
         return "'" + word + "' is one argument too many";
     return "there is no option '" + word + "'" +
@@ -405,6 +409,11 @@ Exit codes: 0 yes or done; 1 a truthful no; 2 wrong use or malformed input; 3 a 
         return refuse("there is no option '" + first + "'" + suggestion(first, optionNames(app)), "");
 
     const std::string command = isCommand ? first : "";
+    const std::string second = isCommand && count > 2 ? words[2] : "";
+    if (const auto below = isCommand ? commandNames(*app.get_subcommand(first)) : std::vector<std::string>();
+        !below.empty() && !second.empty() && !second.starts_with('-') &&
+        std::find(below.begin(), below.end(), second) == below.end())
+        return refuse(noSuchSubcommand(*app.get_subcommand(first), second), command); // before any --help
     try
     {
         app.parse(count, words);

@@ -43,9 +43,11 @@ ExitCode generate(const GenerateArguments &arguments, const Catalog &catalog)
         std::cout << formatGraphMl(*graph);
         return ExitCode::done;
     }
-    saveGraph(*arguments.graph, *graph);
+    FileSet files;
+    saveGraph(files, *arguments.graph, *graph);
     if (instance)
-        saveInstance(*arguments.instance, *instance, *arguments.graph);
+        saveInstance(files, *arguments.instance, *instance, *arguments.graph);
+    files.commit();
     std::cout << generator->name() << ": " << graph->vertexCount() << " vertices, " << graph->edgeCount()
               << " edges" << (instance ? ", " + std::to_string(instance->robotCount()) + " robots" : "")
               << '\n';

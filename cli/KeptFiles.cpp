@@ -14,19 +14,21 @@ void KeptFiles::write(const RunSpec &spec, const RunResult &result)
 {
     if (!std::exchange(clean_, true))
         removeLeftovers();
+    FileSet files;
     if (plan_.keep.instances && result.instance && cases_.insert(spec.caseId).second)
     {
         const std::filesystem::path stem = folder_ / "instances" / spec.caseId;
         const std::filesystem::path graph = stem.string() + ".graphml";
-        saveGraph(graph, *result.instance->graph);
-        saveInstance(stem.string() + ".instance", *result.instance, graph);
+        saveGraph(files, graph, *result.instance->graph);
+        saveInstance(files, stem.string() + ".instance", *result.instance, graph);
     }
     const PlannerStatus status = result.record.status;
     if (plan_.keep.solutions && (status == PlannerStatus::solved || status == PlannerStatus::partial))
     {
         const std::string name = spec.caseId + "." + fileSafe(plan_.planners[spec.planner].name) + ".csv";
-        saveSolution(folder_ / "solutions" / name, result.solution);
+        saveSolution(files, folder_ / "solutions" / name, result.solution);
     }
+    files.commit();
 }
 
 void KeptFiles::removeLeftovers() const

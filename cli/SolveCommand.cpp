@@ -3,7 +3,6 @@
 #include "framework/campaign/RunPlanner.h"
 #include "framework/evaluation/Condense.h"
 #include "framework/support/Config.h"
-#include "framework/support/File.h"
 #include "problems/formats/Formats.h"
 
 #include <fmt/format.h>
@@ -87,38 +86,37 @@ void say(const RunRecord &record)
     sayLine("costs", record.sumOfCosts, optimized(record.optimizedSumOfCosts));
 }
 
-/// Writes what was asked for and exists.
+/// Writes what was asked for and exists, all of it or nothing.
+/// \param motion the widest rule that an animation may show
 void writeFiles(const SolveArguments &arguments, const RunResult &result, const Instance &instance,
-                const std::vector<NamedOptimizer> &optimizers)
+                const std::vector<NamedOptimizer> &optimizers, MotionRule motion)
 {
+    FileSet files;
     if (arguments.json)
-        writeFile(*arguments.json, toJson(result.record));
+        files.add(*arguments.json).write(toJson(result.record));
     const bool anyMoves =
         arguments.solution || arguments.optimizedSolution || arguments.schedule || arguments.animation;
-    if (!result.record.solved())
+    if (anyMoves && !result.record.solved())
+        std::cerr << "no solution, so no file of moves was written\n";
+    if (anyMoves && result.record.solved())
     {
-        if (anyMoves)
-            std::cerr << "no solution, so no file of moves was written\n";
-        return;
-    }
-    if (arguments.solution)
-        saveSolution(*arguments.solution, result.solution);
-    if (arguments.optimizedSolution)
-    {
-        Solution solution = result.solution;
-        for (const NamedOptimizer &optimizer : optimizers)
-            solution =
-                optimizer.optimizer->improve(instance, std::move(solution), TerminationCondition::never());
-        saveSolution(*arguments.optimizedSolution, solution);
-    }
-    if (arguments.schedule || arguments.animation)
-    {
-        const Schedule schedule = condense(instance, result.solution, MotionRule::following);
+        if (arguments.solution)
+            saveSolution(files, *arguments.solution, result.solution);
+        if (arguments.optimizedSolution)
+        {
+            Solution solution = result.solution;
+            for (const NamedOptimizer &optimizer : optimizers)
+                solution = optimizer.optimizer->improve(instance, std::move(solution),
+                                                        TerminationCondition::never());
+            saveSolution(files, *arguments.optimizedSolution, solution);
+        }
         if (arguments.schedule)
-            saveSolution(*arguments.schedule, schedule);
+            saveSolution(files, *arguments.schedule,
+                         condense(instance, result.solution, MotionRule::following));
         if (arguments.animation)
-            saveAnimation(*arguments.animation, instance, schedule);
+            saveAnimation(files, *arguments.animation, instance, condense(instance, result.solution, motion));
     }
+    files.commit();
 }
 
 std::optional<std::size_t> toSize(const std::optional<std::int64_t> &number)
@@ -156,7 +154,7 @@ ExitCode solve(const SolveArguments &arguments, const Catalog &catalog)
     }
     result.record.planner = arguments.planner;
     say(result.record);
-    writeFiles(arguments, result, *instance, optimizers);
+    writeFiles(arguments, result, *instance, optimizers, settings.motion);
     if (result.record.status == PlannerStatus::invalid || result.record.status == PlannerStatus::crash)
         return ExitCode::defect;
     return result.record.solved() ? ExitCode::done : ExitCode::no;

@@ -15,7 +15,7 @@ ExitCode validate(const ValidateArguments &arguments)
     const LoadedInstance loaded = loadInstance({arguments.instance, arguments.graph, robots});
     for (const std::string &warning : loaded.warnings)
         std::cerr << "warning: " << warning << '\n';
-    const SolutionRows rows = loadSolution(arguments.solution, loaded.instance);
+    const SolutionRows rows = loadSolution(arguments.solution, loaded.instance, loaded.vertexNames);
     for (const std::string &warning : rows.warnings)
         std::cerr << "warning: " << warning << '\n';
     const Verdict verdict = validate(loaded.instance, rows.moves, *motionRule(arguments.motion));

@@ -41,6 +41,8 @@ void writeFile(const std::filesystem::path &path, std::string_view contents)
 FileWriter::FileWriter(std::filesystem::path path) : path_(std::move(path))
 {
     std::error_code error;
+    if (std::filesystem::is_directory(path_, error))
+        throw FileError({path_.string()}, "cannot be written: it is a folder");
     if (path_.has_parent_path())
         std::filesystem::create_directories(path_.parent_path(), error);
     std::string name = path_.string() + ".XXXXXX";
@@ -71,13 +73,22 @@ void FileWriter::write(std::string_view contents)
     }
 }
 
-void FileWriter::commit()
+void FileWriter::finish()
 {
+    if (file_ < 0)
+        return;
     constexpr mode_t kReadableByAll = 0644;
     ::fchmod(file_, kReadableByAll);
     const bool flushed = ::fsync(file_) == 0;
     const bool closed = ::close(std::exchange(file_, -1)) == 0;
-    if (!flushed || !closed || ::rename(temporary_.c_str(), path_.c_str()) != 0)
+    if (!flushed || !closed)
+        fail("flush");
+}
+
+void FileWriter::commit()
+{
+    finish();
+    if (::rename(temporary_.c_str(), path_.c_str()) != 0)
         fail("rename");
     temporary_.clear();
 }
@@ -86,6 +97,22 @@ void FileWriter::fail(const char *step) const
 {
     throw FileError({path_.string()},
                     std::string("cannot be written (") + step + "): " + std::strerror(errno));
+}
+
+FileWriter &FileSet::add(const std::filesystem::path &path)
+{
+    for (const auto &file : files_)
+        if (file->path().lexically_normal() == path.lexically_normal())
+            throw FileError({path.string()}, "is to be written twice; every file needs a name of its own");
+    return *files_.emplace_back(std::make_unique<FileWriter>(path));
+}
+
+void FileSet::commit()
+{
+    for (const auto &file : files_)
+        file->finish();
+    for (const auto &file : files_)
+        file->commit();
 }
 
 } // namespace mrpp

@@ -4,8 +4,10 @@
 /// renamed, so that a reader or a crash never meets half a file.
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace mrpp
 {
@@ -27,7 +29,7 @@ class FileWriter
 {
 public:
     /// Makes a temporary file beside the target, and the target's folder where that is missing. Throws
-    /// FileError.
+    /// FileError, also where the target is a folder.
     explicit FileWriter(std::filesystem::path path);
     /// Drops what was not committed.
     ~FileWriter();
@@ -36,8 +38,12 @@ public:
 
     /// Throws FileError.
     void write(std::string_view contents);
+    /// Flushes what was written to the disk. Throws FileError. Nothing can be written any more.
+    void finish();
     /// Replaces the target by what was written. Throws FileError. To be called once, as the last.
     void commit();
+
+    [[nodiscard]] const std::filesystem::path &path() const { return path_; }
 
 private:
     [[noreturn]] void fail(const char *step) const;
@@ -45,6 +51,29 @@ private:
     std::filesystem::path path_;
     std::string temporary_; ///< empty once it is gone
     int file_ = -1;
+};
+
+/// Several files that are written together: whatever cannot be made or written leaves all targets as they
+/// were.
+///
+/// \code
+/// FileSet files;
+/// files.add("g.graphml").write(graph);
+/// files.add("g.instance").write(instance);
+/// files.commit();
+/// \endcode
+class FileSet
+{
+public:
+    /// One more file, to be written before the commit. Throws FileError as FileWriter does, and for a file
+    /// that is in the set already.
+    FileWriter &add(const std::filesystem::path &path);
+    /// Replaces all targets, once everything is on the disk. Throws FileError. To be called once, as the
+    /// last.
+    void commit();
+
+private:
+    std::vector<std::unique_ptr<FileWriter>> files_;
 };
 
 } // namespace mrpp

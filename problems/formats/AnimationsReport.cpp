@@ -52,7 +52,7 @@ std::vector<std::filesystem::path> AnimationsReport::write(const ResultTable &re
             continue;
         const MotionRule rule = solution->rotations().empty() ? MotionRule::following : MotionRule::rotation;
         files.push_back(animations / fileNameOf(record));
-        saveAnimation(files.back(), *instance, condense(*instance, *solution, rule), rule);
+        saveAnimation(files.back(), *instance, condense(*instance, *solution, rule));
     }
     return files;
 }

@@ -148,6 +148,7 @@ public:
             convertInstance();
         else
             convertSolution();
+        files_.commit();
         return std::move(result_);
     }
 
@@ -167,7 +168,7 @@ private:
 
     void write(const std::filesystem::path &file, const std::string &text)
     {
-        writeFile(file, text);
+        files_.add(file).write(text);
         result_.files.push_back(file);
     }
 
@@ -235,10 +236,13 @@ private:
             note({"lost: the moves"});
         const Instance &instance = loaded.instance;
         noteLosses(*instance.graph);
+        if (target_.id != FormatId::libMrpInstance && !loaded.vertexNames.empty())
+            note({"lost: the vertices' names"});
         if (target_.id == FormatId::cpf)
             return write(request_.out, formatCpf(instance));
         if (target_.id == FormatId::libMrpInstance)
-            return write(request_.out, asTarget([&] { return formatLibMrpInstance(instance); }));
+            return write(request_.out,
+                         asTarget([&] { return formatLibMrpInstance(instance, loaded.vertexNames); }));
 
         const std::filesystem::path graphFile = asTarget([&] { return graphFor(instance); });
         if (target_.id == FormatId::kei18Instance)
@@ -248,7 +252,7 @@ private:
         asTarget(
             [&]
             {
-                saveInstance(request_.out, instance, graphFile,
+                saveInstance(files_, request_.out, instance, graphFile,
                              target_.id == FormatId::scenario ? InstanceForm::scenario : InstanceForm::text);
                 return 0;
             });
@@ -284,32 +288,25 @@ private:
         note(loaded.warnings);
         const Instance &instance = loaded.instance;
         noteLosses(*instance.graph);
-        const SolutionRows rows = loadSolution(request_.in, instance);
+        const SolutionRows rows = loadSolution(request_.in, instance, loaded.vertexNames);
         note(rows.warnings);
         const Schedule schedule = scheduleOf(rows, instance);
         if (!validate(instance, schedule, MotionRule::rotation).complete)
             note({"not all robots end at their goals"});
         if (target_.id == FormatId::graphRec || target_.id == FormatId::graphRecXml)
-            return writeAnimation(instance, schedule);
-        write(request_.out, asTarget([&] { return solutionText(instance, schedule, instanceFile); }));
+        {
+            saveAnimation(files_, request_.out, instance, schedule,
+                          target_.id == FormatId::graphRec ? GraphRecForm::text : GraphRecForm::xml);
+            result_.files.push_back(request_.out);
+            return;
+        }
+        write(request_.out, asTarget([&] { return solutionText(loaded, schedule, instanceFile); }));
     }
 
-    void writeAnimation(const Instance &instance, const Schedule &schedule)
-    {
-        const MotionRule rule = validate(instance, schedule, MotionRule::parallel).legal
-                                    ? MotionRule::parallel
-                                    : MotionRule::rotation;
-        FileWriter writer(request_.out);
-        writeGraphRec(instance, schedule, rule,
-                      target_.id == FormatId::graphRec ? GraphRecForm::text : GraphRecForm::xml,
-                      [&writer](std::string_view piece) { writer.write(piece); });
-        writer.commit();
-        result_.files.push_back(request_.out);
-    }
-
-    std::string solutionText(const Instance &instance, const Schedule &schedule,
+    std::string solutionText(const LoadedInstance &loaded, const Schedule &schedule,
                              const std::filesystem::path &instanceFile) const
     {
+        const Instance &instance = loaded.instance;
         switch (target_.id)
         {
         case FormatId::surynekSolution:
@@ -320,7 +317,7 @@ private:
             return formatKei18Result(instance, schedule, map.string());
         }
         case FormatId::libMrpSchedule:
-            return formatLibMrpSchedule(instance, schedule);
+            return formatLibMrpSchedule(instance, schedule, loaded.vertexNames);
         case FormatId::paths:
             return formatPaths(instance, schedule);
         case FormatId::planViz:
@@ -344,6 +341,7 @@ private:
     const ConversionRequest &request_;
     FormatId in_;
     const Target &target_;
+    FileSet files_;
     Conversion result_;
 };
 

@@ -27,6 +27,16 @@ bool hasLine(std::string_view text, std::string_view begin)
     return false;
 }
 
+/// A record of a scenario without its first line: text, and seven numbers at the end.
+bool isScenarioRecord(std::string_view line)
+{
+    std::size_t words = 0;
+    std::size_t numbers = 0; // since the last word that is none
+    for (LineCursor cursor(trimmed(line)); !cursor.atEnd(); ++words)
+        numbers = parseNumber(cursor.word()) ? numbers + 1 : 0;
+    return words >= 9 && numbers >= 7 && numbers < words;
+}
+
 /// Two numbers in the first line that is no comment.
 bool beginsWithAnEdge(std::string_view text)
 {
@@ -62,11 +72,15 @@ FormatId byFirstWord(std::string_view text)
         return FormatId::paths;
     if (!colon && isOneOf(word, {"c", "p"}))
         return FormatId::dimacs;
-    if (word == "id" && colon)
+    if ((word == "id" || word == "ID") && colon)
         return FormatId::graphRec;
+    if (isScenarioRecord(line))
+        return FormatId::scenario;
     if (trimmed(word.substr(0, word.find(','))) == "step")
         return FormatId::solutionCsv;
-    if (line.find("solution_plan") != std::string_view::npos && !isOneOf(text.substr(0, 1), {"{", "["}))
+    const bool isOldTracker = line.starts_with("agents,") && trimmed(line).ends_with(",path");
+    if (isOldTracker ||
+        (line.find("solution_plan") != std::string_view::npos && !isOneOf(text.substr(0, 1), {"{", "["})))
         return FormatId::trackerCsv;
     return FormatId::unknown;
 }
@@ -74,8 +88,8 @@ FormatId byFirstWord(std::string_view text)
 /// By lines that stand anywhere, in files whose beginning may be anything.
 FormatId byAnyLine(std::string_view text)
 {
-    if (hasLine(text, "V =") || hasLine(text, "V="))
-        return hasLine(text, "Length:") ? FormatId::graphRec : FormatId::cpf;
+    if (hasLine(text, "V =") || hasLine(text, "V=") || hasLine(text, "v ="))
+        return hasLine(text, "Length:") || hasLine(text, "length:") ? FormatId::graphRec : FormatId::cpf;
     if (hasLine(text, "Fine solution"))
         return FormatId::surynekSolution;
     if (hasLine(text, "solution="))
@@ -114,6 +128,9 @@ FormatId formatOf(const std::filesystem::path &file, std::string_view text)
         return FormatId::cpf;
     if (extension == ".csv")
         return FormatId::solutionCsv;
+    if (isOneOf(extension, {".yaml", ".yml"}))
+        return text.find("schedule") != std::string_view::npos ? FormatId::libMrpSchedule
+                                                               : FormatId::libMrpInstance;
     return extension == ".instance" ? FormatId::instanceText : FormatId::unknown;
 }
 

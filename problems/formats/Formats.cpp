@@ -1,9 +1,8 @@
 #include "problems/formats/Formats.h"
 
-#include "framework/support/File.h"
+#include "framework/evaluation/Validator.h"
 #include "problems/formats/FormatId.h"
 #include "problems/formats/GraphMl.h"
-#include "problems/formats/GraphRec.h"
 #include "problems/formats/GraphText.h"
 #include "problems/formats/InstanceText.h"
 #include "problems/formats/Kei18.h"
@@ -110,14 +109,15 @@ LoadedInstance fromScenario(const InstanceSource &source, std::string_view text)
     const Scenario scenario = parseMovingAiScenario(text, source.instance.string());
     LoadedGraph graph = loadMapFor(source, scenario.mapName());
     return {scenarioInstance(scenario, *graph.map, source.robots.value_or(scenario.records.size())),
-            std::move(graph.warnings)};
+            std::move(graph.warnings),
+            {}};
 }
 
 LoadedInstance fromKei18(const InstanceSource &source, std::string_view text)
 {
     const Kei18Instance parsed = parseKei18Instance(text, source.instance.string());
     LoadedGraph graph = loadMapFor(source, std::filesystem::path(parsed.map).filename().string());
-    return {kei18Instance(parsed, *graph.map), std::move(graph.warnings)};
+    return {kei18Instance(parsed, *graph.map), std::move(graph.warnings), {}};
 }
 
 LoadedInstance fromText(const InstanceSource &source, std::string_view text)
@@ -131,7 +131,7 @@ LoadedInstance fromText(const InstanceSource &source, std::string_view text)
         throw ParseError({parsed.file, parsed.graphLine, 1}, "there is no file " + inQuotes(parsed.graph) +
                                                                  " relative to the instance or beside it");
     LoadedGraph graph = loadGraph(source.graph ? *source.graph : parsed.graphPath());
-    return {textInstance(parsed, std::move(graph.graph)), std::move(graph.warnings)};
+    return {textInstance(parsed, std::move(graph.graph)), std::move(graph.warnings), {}};
 }
 
 LoadedInstance fromGraphRec(GraphRecFile file)
@@ -139,7 +139,8 @@ LoadedInstance fromGraphRec(GraphRecFile file)
     if (file.goals.size() != file.starts.size())
         throw ParseError({file.file},
                          "this file does not say where the robots' goals are; name the instance");
-    return {{std::move(file.graph), std::move(file.starts), std::move(file.goals)}, std::move(file.warnings)};
+    return {
+        {std::move(file.graph), std::move(file.starts), std::move(file.goals)}, std::move(file.warnings), {}};
 }
 
 /// An instance whose file holds its graph, on a graph that was given apart: coordinates and weights may
@@ -177,12 +178,12 @@ LoadedInstance parseInstance(const InstanceSource &source, std::string_view text
         return fromKei18(source, text);
     case FormatId::cpf: {
         CpfProblem read = parseCpf(text, name);
-        loaded = {std::move(read.instance), std::move(read.warnings)};
+        loaded = {std::move(read.instance), std::move(read.warnings), {}};
         break;
     }
     case FormatId::libMrpInstance: {
         LibMrpInstance read = parseLibMrpInstance(text, name);
-        loaded = {std::move(read.instance), std::move(read.warnings)};
+        loaded = {std::move(read.instance), std::move(read.warnings), std::move(read.vertexNames)};
         break;
     }
     case FormatId::graphRec:
@@ -218,7 +219,8 @@ LoadedInstance loadInstance(const InstanceSource &source)
     return loaded;
 }
 
-SolutionRows loadSolution(const std::filesystem::path &file, const Instance &instance)
+SolutionRows loadSolution(const std::filesystem::path &file, const Instance &instance,
+                          std::span<const std::string> vertexNames)
 {
     const std::string text = readFile(file);
     const std::string name = file.string();
@@ -234,7 +236,7 @@ SolutionRows loadSolution(const std::filesystem::path &file, const Instance &ins
     case FormatId::paths:
         return parsePaths(text, name, instance);
     case FormatId::libMrpSchedule:
-        return parseLibMrpSchedule(text, name, instance);
+        return parseLibMrpSchedule(text, name, instance, vertexNames);
     case FormatId::trackerCsv:
         return parseTracker(text, name, TrackerForm::csv, instance);
     case FormatId::trackerJson:
@@ -272,15 +274,20 @@ std::optional<std::filesystem::path> graphFileOf(const std::filesystem::path &in
     }
 }
 
-void saveGraph(const std::filesystem::path &file, const Graph &graph)
+void saveGraph(FileSet &files, const std::filesystem::path &file, const Graph &graph)
 {
-    if (file.extension() == ".map")
-        writeFile(file, formatMovingAiMap(gridMapOf(graph)));
-    else
-        writeFile(file, formatGraphMl(graph));
+    files.add(file).write(file.extension() == ".map" ? formatMovingAiMap(gridMapOf(graph))
+                                                     : formatGraphMl(graph));
 }
 
-void saveInstance(const std::filesystem::path &file, const Instance &instance,
+void saveGraph(const std::filesystem::path &file, const Graph &graph)
+{
+    FileSet files;
+    saveGraph(files, file, graph);
+    files.commit();
+}
+
+void saveInstance(FileSet &files, const std::filesystem::path &file, const Instance &instance,
                   const std::filesystem::path &graphFile, std::optional<InstanceForm> form)
 {
     if (form ? *form == InstanceForm::scenario : file.extension() == ".scen")
@@ -297,7 +304,7 @@ void saveInstance(const std::filesystem::path &file, const Instance &instance,
             moved.starts.push_back(cellVertex(instance.starts[r]));
             moved.goals.push_back(cellVertex(instance.goals[r]));
         }
-        writeFile(file, formatMovingAiScenario(map, moved, graphFile.filename().string()));
+        files.add(file).write(formatMovingAiScenario(map, moved, graphFile.filename().string()));
         return;
     }
     std::filesystem::path named = graphFile;
@@ -306,27 +313,43 @@ void saveInstance(const std::filesystem::path &file, const Instance &instance,
                 std::filesystem::absolute(file).lexically_normal().parent_path());
             !relative.empty())
             named = relative;
-    writeFile(file, formatInstanceText(instance, named.generic_string()));
+    files.add(file).write(formatInstanceText(instance, named.generic_string()));
 }
 
-void saveSolution(const std::filesystem::path &file, const Solution &solution)
+void saveInstance(const std::filesystem::path &file, const Instance &instance,
+                  const std::filesystem::path &graphFile, std::optional<InstanceForm> form)
 {
-    writeFile(file, formatSolutionCsv(solution));
+    FileSet files;
+    saveInstance(files, file, instance, graphFile, form);
+    files.commit();
 }
 
-void saveSolution(const std::filesystem::path &file, const Schedule &schedule)
+void saveSolution(FileSet &files, const std::filesystem::path &file, const Solution &solution)
 {
-    writeFile(file, formatSolutionCsv(schedule));
+    files.add(file).write(formatSolutionCsv(solution));
 }
 
-void saveAnimation(const std::filesystem::path &file, const Instance &instance, const Schedule &schedule,
-                   MotionRule rule)
+void saveSolution(FileSet &files, const std::filesystem::path &file, const Schedule &schedule)
 {
-    FileWriter writer(file);
+    files.add(file).write(formatSolutionCsv(schedule));
+}
+
+void saveAnimation(FileSet &files, const std::filesystem::path &file, const Instance &instance,
+                   const Schedule &schedule, std::optional<GraphRecForm> form)
+{
+    const MotionRule rule = validate(instance, schedule, MotionRule::parallel).legal ? MotionRule::parallel
+                                                                                     : MotionRule::rotation;
+    FileWriter &writer = files.add(file);
     writeGraphRec(instance, schedule, rule,
-                  file.extension() == ".xml" ? GraphRecForm::xml : GraphRecForm::text,
+                  form.value_or(file.extension() == ".xml" ? GraphRecForm::xml : GraphRecForm::text),
                   [&writer](std::string_view piece) { writer.write(piece); });
-    writer.commit();
+}
+
+void saveAnimation(const std::filesystem::path &file, const Instance &instance, const Schedule &schedule)
+{
+    FileSet files;
+    saveAnimation(files, file, instance, schedule);
+    files.commit();
 }
 
 } // namespace mrpp

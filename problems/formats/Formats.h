@@ -9,9 +9,10 @@
 
 #include "framework/Catalog.h"
 #include "framework/model/Instance.h"
-#include "framework/model/MotionRule.h"
 #include "framework/model/Schedule.h"
 #include "framework/model/Solution.h"
+#include "framework/support/File.h"
+#include "problems/formats/GraphRec.h"
 #include "problems/formats/MovingAiMap.h"
 #include "problems/formats/SolutionRows.h"
 
@@ -45,6 +46,7 @@ struct LoadedInstance
 {
     Instance instance;
     std::vector<std::string> warnings;
+    std::vector<std::string> vertexNames; ///< of a roadmap, whose schedules speak of them; else empty
 };
 
 /// Reads an instance and its graph. Without `graph`, instance text names it, the map of a scenario or of
@@ -54,14 +56,20 @@ struct LoadedInstance
 
 /// Reads a solution or schedule of any format. The moves may be wrong; validate() says so. Throws InputError
 /// where the file is malformed or cannot speak of this instance.
-[[nodiscard]] SolutionRows loadSolution(const std::filesystem::path &file, const Instance &instance);
+/// \param vertexNames see LoadedInstance
+[[nodiscard]] SolutionRows loadSolution(const std::filesystem::path &file, const Instance &instance,
+                                        std::span<const std::string> vertexNames = {});
 
 /// The file in which the graph of an instance file lies, if the instance says so. Throws InputError where the
 /// instance cannot be read.
 [[nodiscard]] std::optional<std::filesystem::path> graphFileOf(const std::filesystem::path &instance);
 
+// The functions below write into a set of files, to be committed, or one file at once. All throw FileError
+// where a file cannot be written.
+
 /// Writes `.map` as a MovingAI map, everything else as GraphML. Throws InputError where the graph is no grid
-/// map, FileError where the file cannot be written.
+/// map.
+void saveGraph(FileSet &files, const std::filesystem::path &file, const Graph &graph);
 void saveGraph(const std::filesystem::path &file, const Graph &graph);
 
 enum class InstanceForm
@@ -71,20 +79,23 @@ enum class InstanceForm
 };
 
 /// Writes an instance as text or as a MovingAI scenario (the graph must then be a grid map); without `form`
-/// `.scen` is a scenario, everything else text.
-/// \param graphFile where the graph lies; the instance names it relative to its own folder
+/// `.scen` is a scenario, everything else text. Throws InputError where the graph of a scenario is no grid
+/// map. \param graphFile where the graph lies; the instance names it relative to its own folder
+void saveInstance(FileSet &files, const std::filesystem::path &file, const Instance &instance,
+                  const std::filesystem::path &graphFile, std::optional<InstanceForm> form = std::nullopt);
 void saveInstance(const std::filesystem::path &file, const Instance &instance,
                   const std::filesystem::path &graphFile, std::optional<InstanceForm> form = std::nullopt);
 
 /// Writes CSV rows, see SolutionCsv.h.
-void saveSolution(const std::filesystem::path &file, const Solution &solution);
-void saveSolution(const std::filesystem::path &file, const Schedule &schedule);
+void saveSolution(FileSet &files, const std::filesystem::path &file, const Solution &solution);
+void saveSolution(FileSet &files, const std::filesystem::path &file, const Schedule &schedule);
 
 /// Writes a GraphRec animation piece by piece: `.xml` as GraphRec's XML, everything else as its text, see
-/// GraphRec.h.
-/// \pre the schedule is legal on the instance under the rule
-void saveAnimation(const std::filesystem::path &file, const Instance &instance, const Schedule &schedule,
-                   MotionRule rule = MotionRule::rotation);
+/// GraphRec.h. GraphRec is told the narrowest rule that the schedule obeys.
+/// \pre the schedule is legal on the instance under `rotation`
+void saveAnimation(FileSet &files, const std::filesystem::path &file, const Instance &instance,
+                   const Schedule &schedule, std::optional<GraphRecForm> form = std::nullopt);
+void saveAnimation(const std::filesystem::path &file, const Instance &instance, const Schedule &schedule);
 
 /// What the functions above know, for `mrppsim list formats`.
 [[nodiscard]] std::vector<FileFormat> fileFormats();

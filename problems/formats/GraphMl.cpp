@@ -32,7 +32,6 @@ public:
     GraphMl read()
     {
         const pugi::xml_node graph = onlyGraph();
-        readDirection(graph);
         readNodes(graph);
         readEdges(graph);
         warnAboutIds();
@@ -44,6 +43,12 @@ public:
     }
 
 private:
+    struct Named
+    {
+        pugi::xml_node element;
+        Vertex vertex = kNoVertex; ///< none for a group
+    };
+
     static const XmlDocument &checkedRoot(const XmlDocument &document)
     {
         const pugi::xml_node root = document.root();
@@ -74,53 +79,109 @@ private:
         return graph;
     }
 
-    void readDirection(pugi::xml_node graph)
+    /// Calls `visit(element)` for all elements of the graph, and of yEd's groups in it, in the order of the
+    /// file.
+    template <class Visitor>
+    void forEachElement(pugi::xml_node graph, Visitor &&visit)
+    {
+        pugi::xml_node inside = graph;
+        for (pugi::xml_node element = graph.first_child();;)
+        {
+            while (!element)
+            {
+                if (inside == graph)
+                    return;
+                element = inside.parent().next_sibling();
+                inside = inside.parent().parent();
+            }
+            if (data_.isOurs(element))
+                visit(element);
+            if (const pugi::xml_node group = graphInGroup(element))
+            {
+                inside = group;
+                element = group.first_child();
+            }
+            else
+                element = element.next_sibling();
+        }
+    }
+
+    /// What yEd draws as a box around other nodes is a node with a graph in it; none for other elements.
+    [[nodiscard]] pugi::xml_node graphInGroup(pugi::xml_node element) const
+    {
+        if (element.attribute("yfiles.foldertype"))
+            for (const pugi::xml_node child : element.children())
+                if (data_.isOurs(child) && localName(child) == "graph")
+                    return child;
+        return {};
+    }
+
+    [[nodiscard]] bool isDirected(pugi::xml_node graph) const
     {
         const std::string_view direction = graph.attribute("edgedefault").value();
         if (!direction.empty() && direction != "undirected" && direction != "directed")
             document_.fail(graph,
                            "edgedefault is " + inQuotes(direction) + "; expected 'undirected' or 'directed'");
-        directed_ = direction == "directed";
+        return direction == "directed";
     }
 
     void readNodes(pugi::xml_node graph)
     {
-        for (const pugi::xml_node child : graph.children())
-        {
-            if (!data_.isOurs(child))
-                continue;
-            if (localName(child) == "hyperedge")
-                document_.fail(child, "a <hyperedge> joins more than two vertices; only <edge> is known");
-            data_.checkName(child, {"node", "edge", "data", "desc"});
-            if (localName(child) != "node")
-                continue;
-            document_.checkAttributes(child);
-            data_.checkContent(child);
-            const std::string_view id = document_.required(child, "id");
-            const auto [known, isNew] = ids_.emplace(id, static_cast<Vertex>(nodes_.size()));
-            if (!isNew)
-                document_.fail(child, "the id " + inQuotes(id) + " belongs to the node in line " +
-                                          std::to_string(document_.where(nodes_[known->second]).line) +
-                                          " already");
-            nodes_.push_back(child);
-            if (const auto point = data_.coordinate(child))
-                coordinates_.push_back(*point);
-        }
+        (void)isDirected(graph);
+        std::size_t groups = 0;
+        forEachElement(graph,
+                       [&](pugi::xml_node child)
+                       {
+                           if (localName(child) == "hyperedge")
+                               document_.fail(
+                                   child, "a <hyperedge> joins more than two vertices; only <edge> is known");
+                           data_.checkName(child, {"node", "edge", "data", "desc"});
+                           if (localName(child) != "node")
+                               return;
+                           document_.checkAttributes(child);
+                           if (const pugi::xml_node inner = graphInGroup(child))
+                           {
+                               (void)isDirected(inner);
+                               addId(child, kNoVertex);
+                               ++groups;
+                               return;
+                           }
+                           data_.checkContent(child);
+                           addId(child, static_cast<Vertex>(nodes_.size()));
+                           nodes_.push_back(child);
+                           if (const auto point = data_.coordinate(child))
+                               coordinates_.push_back(*point);
+                       });
+        if (groups > 0)
+            warnings_.push_back(counted(groups, "group is", "groups are") +
+                                " dissolved: nodes in a group are vertices, the group is none");
+    }
+
+    void addId(pugi::xml_node node, Vertex v)
+    {
+        const std::string_view id = document_.required(node, "id");
+        const auto [known, isNew] = ids_.emplace(id, Named{node, v});
+        if (!isNew)
+            document_.fail(node, "the id " + inQuotes(id) + " belongs to the node in line " +
+                                     std::to_string(document_.where(known->second.element).line) +
+                                     " already");
     }
 
     void readEdges(pugi::xml_node graph)
     {
-        for (const pugi::xml_node child : graph.children())
-        {
-            if (!data_.isOurs(child) || localName(child) != "edge")
-                continue;
-            document_.checkAttributes(child);
-            data_.checkContent(child);
-            edges_.push_back({endOf(child, "source"), endOf(child, "target"), data_.weight(child)});
-            const std::string_view own = child.attribute("directed").value();
-            if (own.empty() ? directed_ : own == "true" || own == "1")
-                arcs_.push_back({edges_.back().a, edges_.back().b});
-        }
+        forEachElement(
+            graph,
+            [&](pugi::xml_node child)
+            {
+                if (localName(child) != "edge")
+                    return;
+                document_.checkAttributes(child);
+                data_.checkContent(child);
+                edges_.push_back({endOf(child, "source"), endOf(child, "target"), data_.weight(child)});
+                const std::string_view own = child.attribute("directed").value();
+                if (own.empty() ? isDirected(child.parent()) : own == "true" || own == "1")
+                    arcs_.push_back({edges_.back().a, edges_.back().b});
+            });
     }
 
     [[nodiscard]] Vertex endOf(pugi::xml_node edge, const char *end) const
@@ -130,7 +191,10 @@ private:
         if (found == ids_.end())
             document_.fail(edge, std::string("the edge's ") + end + " is " + inQuotes(id) +
                                      ", but there is no <node> with that id");
-        return found->second;
+        if (found->second.vertex == kNoVertex)
+            document_.fail(edge, std::string("the edge's ") + end + " is the group " + inQuotes(id) +
+                                     ", but no robot can stand on a group; join its nodes");
+        return found->second.vertex;
     }
 
     [[nodiscard]] std::vector<Point> takeCoordinates()
@@ -191,9 +255,8 @@ private:
 
     XmlDocument document_;
     GraphMlData data_;
-    bool directed_ = false;
     std::vector<pugi::xml_node> nodes_;
-    std::unordered_map<std::string_view, Vertex> ids_;
+    std::unordered_map<std::string_view, Named> ids_;
     std::vector<Point> coordinates_;
     std::vector<Graph::Edge> edges_;
     std::vector<std::pair<Vertex, Vertex>> arcs_; ///< the directed edges among them
@@ -217,6 +280,8 @@ GraphMl readGraphMl(const std::filesystem::path &file)
 
 GraphMl parseGraphMl(std::string_view text, const std::string &file)
 {
+    if (LineCursor begin(trimmed(withoutByteOrderMark(text))); begin.take("graph") && begin.take("["))
+        throw ParseError({file, 1, 1}, "this is GML, the bracketed format; export the graph as GraphML");
     return Reader(text, file).read();
 }
 

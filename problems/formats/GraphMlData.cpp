@@ -34,7 +34,7 @@ GraphMlData::GraphMlData(const XmlDocument &document)
                 {}};
         for (const pugi::xml_node part : child.children())
             if (isOurs(part) && localName(part) == "default")
-                key.defaultValue = trimmed(part.child_value());
+                key.defaultValue = textOf(part);
         if (find(key.id) != nullptr)
             document.fail(child, "a key " + inQuotes(key.id) + " is declared already");
         keys_.push_back(key);
@@ -104,11 +104,27 @@ pugi::xml_node GraphMlData::dataElement(pugi::xml_node element, const Key &key) 
     return {};
 }
 
+/// What stands in an element, be it as CDATA.
+std::string_view GraphMlData::textOf(pugi::xml_node element) const
+{
+    std::string_view text;
+    for (const pugi::xml_node child : element.children())
+    {
+        const std::string_view piece = trimmed(child.value());
+        if ((child.type() != pugi::node_pcdata && child.type() != pugi::node_cdata) || piece.empty())
+            continue;
+        if (!text.empty())
+            document_.fail(element, "something stands amid the text here; expected the text alone");
+        text = piece;
+    }
+    return text;
+}
+
 /// The text that an element gives to a key, or the key's default; empty where there is neither.
 std::string_view GraphMlData::valueOf(pugi::xml_node element, const Key &key) const
 {
     const pugi::xml_node data = dataElement(element, key);
-    return data ? trimmed(data.child_value()) : key.defaultValue;
+    return data ? textOf(data) : key.defaultValue;
 }
 
 /// The data element of that key, or the key itself where its default is to blame.

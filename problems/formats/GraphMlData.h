@@ -54,6 +54,7 @@ private:
     [[nodiscard]] const Key *findNamed(std::string_view scope,
                                        std::initializer_list<const char *> names) const;
     [[nodiscard]] pugi::xml_node dataElement(pugi::xml_node element, const Key &key) const;
+    [[nodiscard]] std::string_view textOf(pugi::xml_node element) const;
     [[nodiscard]] std::string_view valueOf(pugi::xml_node element, const Key &key) const;
     [[nodiscard]] pugi::xml_node placeOf(pugi::xml_node element, const Key &key) const;
     [[nodiscard]] double number(pugi::xml_node place, std::string_view text, const char *what) const;

@@ -4,6 +4,9 @@
 #include "problems/formats/GraphRecBuilder.h"
 #include "problems/formats/TextReader.h"
 
+#include <algorithm>
+#include <cctype>
+
 namespace mrpp
 {
 
@@ -23,9 +26,13 @@ public:
     GraphRecFile read()
     {
         bool ended = false;
+        std::string lower; // GraphRec does not tell small letters from large ones
         while (const auto line = reader_.next())
         {
-            LineCursor cursor(*line);
+            lower.assign(*line);
+            std::transform(lower.begin(), lower.end(), lower.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+            LineCursor cursor(lower);
             const std::size_t column = cursor.column();
             if (cursor.atEnd())
                 continue;
@@ -37,9 +44,9 @@ public:
                 readEdge(cursor);
             else if (cursor.take("id:"))
                 readId(column);
-            else if (cursor.take("Length:") || cursor.take("length:"))
+            else if (cursor.take("length:"))
                 ended = readLength(cursor);
-            else if (const char first = (*line)[column - 1]; first == '-' || (first >= '0' && first <= '9'))
+            else if (const char first = lower[column - 1]; first == '-' || (first >= '0' && first <= '9'))
                 readNumbered(cursor);
         }
         if (!ended)
@@ -115,9 +122,9 @@ private:
             return;
         if (cursor.take(":"))
         {
-            expectText(reader_, cursor, "X", kPositionForm);
+            expectText(reader_, cursor, "x", kPositionForm);
             const double x = readCoordinate(cursor);
-            expectText(reader_, cursor, ":Y", kPositionForm);
+            expectText(reader_, cursor, ":y", kPositionForm);
             const double y = readCoordinate(cursor);
             expectEnd(reader_, cursor, kPositionForm);
             check(builder_.setPosition(first, x, y), column);

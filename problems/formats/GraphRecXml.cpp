@@ -30,8 +30,8 @@ public:
             readGraphElement(element);
         if (const pugi::xml_node scenario = solution.child("scenario"))
             for (const pugi::xml_node move : scenario.children("move"))
-                check(move,
-                      builder_.addMove(number(move, "tms"), number(move, "src"), number(move, "dst"), 0));
+                check(move, builder_.addMove(number(move, "tms"), number(move, "src"), number(move, "dst"),
+                                             document_.where(move).line));
         return builder_.take();
     }
 

@@ -34,6 +34,33 @@ double readWeight(const TextReader &reader, LineCursor &cursor)
     return *weight;
 }
 
+/// A value of Python: everything up to the comma or brace behind it, which may stand in its own brackets and
+/// quotes, too. Stops at the line's end at the latest.
+void skipValue(LineCursor &cursor)
+{
+    std::size_t depth = 0;
+    for (;;)
+    {
+        (void)cursor.until("()[]{},'\"");
+        if (cursor.atEnd())
+            return;
+        LineCursor behind = cursor;
+        const char c = behind.takeCharacter();
+        if (depth == 0 && (c == ',' || c == '}'))
+            return;
+        cursor = behind;
+        if (c == '(' || c == '[' || c == '{')
+            ++depth;
+        else if (c == ')' || c == ']' || c == '}')
+            depth -= depth > 0 ? 1 : 0;
+        else if (c != ',')
+            for (char inside = cursor.takeCharacter(); inside != '\0' && inside != c;
+                 inside = cursor.takeCharacter())
+                if (inside == '\\')
+                    (void)cursor.takeCharacter();
+    }
+}
+
 /// Behind a `{`: what NetworkX writes, `{}` or `{'weight': 2.5, …}`.
 double readAttributes(const TextReader &reader, LineCursor &cursor)
 {
@@ -52,7 +79,7 @@ double readAttributes(const TextReader &reader, LineCursor &cursor)
             weight = *value;
         }
         else
-            (void)cursor.until(",}");
+            skipValue(cursor);
         if (cursor.atEnd())
             reader.fail(cursor.column(), "expected '}' here, as in '0 1 {}'");
         (void)cursor.take(",");

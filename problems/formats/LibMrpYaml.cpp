@@ -6,6 +6,7 @@
 #include "problems/formats/TextWriter.h"
 #include "problems/formats/YamlTree.h"
 
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <unordered_map>
 
@@ -103,7 +104,7 @@ public:
             const Config &goal = tree_.get(agent, "goal");
             builder.addGoal(vertex(goal, "goal"), goal.where().line, goal.where().column);
         }
-        return {builder.take(), std::move(warnings_)};
+        return {builder.take(), std::move(vertexNames_), std::move(warnings_)};
     }
 
 private:
@@ -147,6 +148,7 @@ private:
         {
             const auto &[x, y] = tree_.pair(entry.value, "[x, y]");
             names_.emplace(entry.key, static_cast<Vertex>(points.size()));
+            vertexNames_.push_back(entry.key);
             points.push_back({number(x), number(y), 0});
         }
         std::vector<Graph::Edge> edges;
@@ -200,6 +202,7 @@ private:
     std::int64_t width_ = 0;
     std::int64_t height_ = 0;
     std::unordered_map<std::string, Vertex> names_;
+    std::vector<std::string> vertexNames_;
     std::vector<std::string> warnings_;
 };
 
@@ -227,7 +230,44 @@ std::optional<Cells> cellsOf(const Graph &graph)
     }
 }
 
-void writeRoadmap(TextWriter &out, const Graph &graph)
+/// How a roadmap's vertices are called.
+class VertexNames
+{
+public:
+    VertexNames(std::size_t count, std::span<const std::string> names) : count_(count), names_(names)
+    {
+        for (const std::string &name : names)
+            vertices_.emplace(name, static_cast<Vertex>(vertices_.size()));
+    }
+
+    /// kNoVertex where none is called so.
+    [[nodiscard]] Vertex vertex(const std::string &name) const
+    {
+        if (!names_.empty())
+        {
+            const auto found = vertices_.find(name);
+            return found == vertices_.end() ? kNoVertex : found->second;
+        }
+        const auto number = parseInteger(name);
+        const bool isVertex = number && *number >= 0 && static_cast<std::uint64_t>(*number) < count_;
+        return isVertex ? static_cast<Vertex>(*number) : kNoVertex;
+    }
+
+    /// As YAML; a text of JSON is one of YAML.
+    [[nodiscard]] std::string text(Vertex v) const
+    {
+        return names_.empty()
+                   ? std::to_string(v)
+                   : nlohmann::json(names_[v]).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+    }
+
+private:
+    std::size_t count_;
+    std::span<const std::string> names_;
+    std::unordered_map<std::string, Vertex> vertices_;
+};
+
+void writeRoadmap(TextWriter &out, const Graph &graph, const VertexNames &names)
 {
     if (graph.vertexCount() > 0 && !graph.hasCoordinates())
         throw InputError("a roadmap needs coordinates, but this graph has none");
@@ -237,7 +277,7 @@ void writeRoadmap(TextWriter &out, const Graph &graph)
     out.line(graph.vertexCount() > 0 ? "  vertices:" : "  vertices: {}");
     for (Vertex v = 0; v < graph.vertexCount(); ++v)
     {
-        out.add("    ", v, ": [");
+        out.add("    ", names.text(v), ": [");
         out.addShortest(graph.coordinate(v).x);
         out.add(", ");
         out.addShortest(graph.coordinate(v).y);
@@ -245,7 +285,7 @@ void writeRoadmap(TextWriter &out, const Graph &graph)
     }
     out.line(graph.edgeCount() > 0 ? "  edges:" : "  edges: []");
     for (const Graph::Edge &edge : graph.edges())
-        out.line("    - [", edge.a, ", ", edge.b, ']');
+        out.line("    - [", names.text(edge.a), ", ", names.text(edge.b), ']');
 }
 
 void writeMap(TextWriter &out, const GridMap &map)
@@ -266,20 +306,21 @@ LibMrpInstance parseLibMrpInstance(std::string_view text, const std::string &fil
     return InstanceReader(text, file).read();
 }
 
-std::string formatLibMrpInstance(const Instance &instance)
+std::string formatLibMrpInstance(const Instance &instance, std::span<const std::string> vertexNames)
 {
     TextWriter out;
     const Graph &graph = *instance.graph;
-    const auto map = mapOf(graph);
+    const auto map = vertexNames.empty() ? mapOf(graph) : std::nullopt;
+    const VertexNames names(graph.vertexCount(), vertexNames);
     if (map)
         writeMap(out, *map);
     else
-        writeRoadmap(out, graph);
+        writeRoadmap(out, graph, names);
     const auto writePlace = [&](const char *key, Vertex v)
     {
         if (!map)
         {
-            out.line("    ", key, ": ", v);
+            out.line("    ", key, ": ", names.text(v));
             return;
         }
         const Point &cell = graph.coordinate(v);
@@ -296,19 +337,22 @@ std::string formatLibMrpInstance(const Instance &instance)
     return out.take();
 }
 
-SolutionRows parseLibMrpSchedule(std::string_view text, const std::string &file, const Instance &instance)
+SolutionRows parseLibMrpSchedule(std::string_view text, const std::string &file, const Instance &instance,
+                                 std::span<const std::string> vertexNames)
 {
     const Tree tree(text, file);
+    const VertexNames names(instance.graph->vertexCount(), vertexNames);
     const Config &schedule = tree.get(tree.root(), "schedule");
     const auto cells = cellsOf(*instance.graph);
     const auto vertexOf = [&](const Config &state)
     {
         if (const Config *name = state.find("v"))
         {
-            const std::int64_t v = tree.integer(*name, "vertex (names other than numbers are not known)");
-            if (v < 0 || static_cast<std::uint64_t>(v) >= instance.graph->vertexCount())
-                tree.fail(*name, "there is no vertex " + std::to_string(v));
-            return static_cast<Vertex>(v);
+            const Vertex v = name->isScalar() ? names.vertex(name->text()) : kNoVertex;
+            if (v == kNoVertex)
+                tree.fail(*name, name->isScalar() ? "there is no vertex " + inQuotes(name->text())
+                                                  : "expected a vertex's name");
+            return v;
         }
         const std::int64_t x = tree.integer(tree.get(state, "x"), "column");
         const std::int64_t y = tree.integer(tree.get(state, "y"), "row");
@@ -345,9 +389,11 @@ SolutionRows parseLibMrpSchedule(std::string_view text, const std::string &file,
     return rowsOfPaths(file, instance, paths);
 }
 
-std::string formatLibMrpSchedule(const Instance &instance, const Schedule &schedule)
+std::string formatLibMrpSchedule(const Instance &instance, const Schedule &schedule,
+                                 std::span<const std::string> vertexNames)
 {
-    const auto cells = cellsOf(*instance.graph);
+    const auto map = vertexNames.empty() ? mapOf(*instance.graph) : std::nullopt;
+    const VertexNames names(instance.graph->vertexCount(), vertexNames);
     std::vector<std::vector<std::pair<std::size_t, Vertex>>> moves(instance.robotCount()); // (time, vertex)
     std::uint64_t cost = 0;
     for (std::size_t step = 0; step < schedule.makespan(); ++step)
@@ -363,13 +409,14 @@ std::string formatLibMrpSchedule(const Instance &instance, const Schedule &sched
     out.line(instance.robotCount() > 0 ? "schedule:" : "schedule: {}");
     const auto writeState = [&](std::size_t time, Vertex v)
     {
-        if (cells)
+        if (map)
         {
-            out.line("    - x: ", cells->cellOf(v).first);
-            out.line("      y: ", cells->cellOf(v).second);
+            const Point &cell = instance.graph->coordinate(v);
+            out.line("    - x: ", static_cast<std::uint64_t>(cell.x));
+            out.line("      y: ", static_cast<std::uint64_t>(cell.y));
         }
         else
-            out.line("    - v: ", v);
+            out.line("    - v: ", names.text(v));
         out.line("      t: ", std::uint64_t{time});
     };
     for (std::size_t robot = 0; robot < instance.robotCount(); ++robot)

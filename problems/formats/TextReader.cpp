@@ -61,6 +61,12 @@ bool LineCursor::take(std::string_view text)
     return true;
 }
 
+char LineCursor::takeCharacter()
+{
+    skipBlanks();
+    return position_ < line_.size() ? line_[position_++] : '\0';
+}
+
 std::string_view LineCursor::until(std::string_view stops)
 {
     skipBlanks();

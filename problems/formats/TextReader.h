@@ -57,6 +57,9 @@ public:
     /// Takes the text if it is what comes next.
     bool take(std::string_view text);
 
+    /// Takes the next character that is no blank; 0 at the end.
+    char takeCharacter();
+
     /// Everything up to the next character of `stops`, without blanks at its ends.
     [[nodiscard]] std::string_view until(std::string_view stops);
 

@@ -134,7 +134,41 @@ void splitLines(Plan &plan, const SourceLocation &where)
     }
 }
 
-void readCsv(Plan &plan, std::string_view text, const std::string &file)
+/// Which of a file's plans is meant: the only one, else the one for as many robots as the instance has.
+class Choice
+{
+public:
+    explicit Choice(std::size_t robots) : robots_(robots) {}
+
+    /// Whether the next plan may be it. Throws ParseError where there are two.
+    /// \param robots as the file says it; anything else than a number of robots is no reason
+    bool take(std::string_view robots, const SourceLocation &where)
+    {
+        const auto number = parseInteger(robots);
+        const bool fits = number && *number >= 0 && static_cast<std::uint64_t>(*number) == robots_;
+        if (fits && fitting_)
+            throw ParseError(where, "a second plan of " + std::to_string(robots_) +
+                                        " robots; a file may hold one for each number of robots");
+        const bool isFirst = plans_++ == 0;
+        fitting_ = fitting_ || fits;
+        return isFirst || fits;
+    }
+
+    /// Throws ParseError where none was meant.
+    void check(const std::string &file) const
+    {
+        if (plans_ > 1 && !fitting_)
+            throw ParseError({file}, "there are " + std::to_string(plans_) + " plans, but none of " +
+                                         std::to_string(robots_) + " robots, the instance's number");
+    }
+
+private:
+    std::size_t robots_;
+    std::size_t plans_ = 0;
+    bool fitting_ = false;
+};
+
+void readCsv(Plan &plan, std::string_view text, const std::string &file, Choice choice)
 {
     CsvReader reader(text, file);
     const auto heading = reader.row();
@@ -150,22 +184,30 @@ void readCsv(Plan &plan, std::string_view text, const std::string &file)
         planColumn = columnOf("path");
     if (planColumn == heading.size())
         throw ParseError({file, 1, 1}, "the heading has no column 'solution_plan'");
-    const auto row = reader.row();
-    if (row.size() != heading.size())
-        throw ParseError(row.empty() ? SourceLocation{file} : row.front().where,
-                         row.empty() ? "there is no plan behind the heading"
-                                     : "the row has " + std::to_string(row.size()) +
-                                           " cells, but the heading has " + std::to_string(heading.size()));
-    if (const auto second = reader.row(); !second.empty())
-        throw ParseError(second.front().where, "a second plan; a file holds one here");
-    if (const std::size_t column = columnOf("flip_up_down"); column < row.size() && !row[column].text.empty())
+    const std::size_t robotsColumn = columnOf("agents");
+    const std::size_t flipColumn = columnOf("flip_up_down");
+    std::vector<CsvReader::Cell> chosen;
+    for (auto row = reader.row(); !row.empty(); row = reader.row())
     {
-        plan.flipped = truth(row[column].text);
-        if (!plan.flipped)
-            throw ParseError(row[column].where, inQuotes(row[column].text) + " is neither TRUE nor FALSE");
+        if (row.size() != heading.size())
+            throw ParseError(row.front().where, "the row has " + std::to_string(row.size()) +
+                                                    " cells, but the heading has " +
+                                                    std::to_string(heading.size()));
+        if (choice.take(robotsColumn < row.size() ? row[robotsColumn].text : "", row.front().where))
+            chosen = std::move(row);
     }
-    plan.text = row[planColumn].text;
-    splitLines(plan, row[planColumn].where);
+    choice.check(file);
+    if (chosen.empty())
+        throw ParseError({file}, "there is no plan behind the heading");
+    if (flipColumn < chosen.size() && !chosen[flipColumn].text.empty())
+    {
+        plan.flipped = truth(chosen[flipColumn].text);
+        if (!plan.flipped)
+            throw ParseError(chosen[flipColumn].where,
+                             inQuotes(chosen[flipColumn].text) + " is neither TRUE nor FALSE");
+    }
+    plan.text = chosen[planColumn].text;
+    splitLines(plan, chosen[planColumn].where);
 }
 
 SourceLocation placeOf(std::string_view text, std::size_t offset, const std::string &file)
@@ -176,7 +218,16 @@ SourceLocation placeOf(std::string_view text, std::size_t offset, const std::str
             before.size() - lineStart + 1};
 }
 
-void readJson(Plan &plan, std::string_view text, const std::string &file)
+/// A number of robots, as a number or a text.
+std::string robotsOf(const nlohmann::json &object)
+{
+    const auto found = object.is_object() ? object.find("agents") : object.end();
+    if (!object.is_object() || found == object.end())
+        return {};
+    return found->is_string() ? found->get<std::string>() : found->dump();
+}
+
+void readJson(Plan &plan, std::string_view text, const std::string &file, Choice choice)
 {
     text = withoutByteOrderMark(text);
     nlohmann::json root;
@@ -193,8 +244,15 @@ void readJson(Plan &plan, std::string_view text, const std::string &file)
     {
         throw ParseError({file}, "this is no JSON: it holds a number that is too large");
     }
-    if (root.is_array() && root.size() == 1)
-        root = nlohmann::json(root.front());
+    if (root.is_array())
+    {
+        nlohmann::json chosen;
+        for (nlohmann::json &object : root)
+            if (choice.take(robotsOf(object), {file}))
+                chosen = std::move(object);
+        choice.check(file);
+        root = std::move(chosen);
+    }
     const auto refuse = [&file](const std::string &what) { throw ParseError({file}, what); };
     if (!root.is_object() || !root.contains("solution_plan"))
         refuse("expected one JSON object with the key 'solution_plan'");
@@ -331,9 +389,9 @@ SolutionRows parseTracker(std::string_view text, const std::string &file, Tracke
     const Cells cells(*instance.graph);
     Plan plan;
     if (form == TrackerForm::csv)
-        readCsv(plan, text, file);
+        readCsv(plan, text, file, Choice(instance.robotCount()));
     else
-        readJson(plan, text, file);
+        readJson(plan, text, file, Choice(instance.robotCount()));
     while (plan.robots.size() > instance.robotCount() && plan.robots.back().text.empty())
         plan.robots.pop_back(); // line ends behind the last robot
     if (plan.flipped)

@@ -42,6 +42,8 @@ const char *explain(pugi::xml_parse_status status)
 XmlDocument::XmlDocument(std::string_view text, std::string file)
     : text_(withoutByteOrderMark(text)), file_(std::move(file))
 {
+    if (text_.starts_with("\xFF\xFE") || text_.starts_with("\xFE\xFF"))
+        throw ParseError(locate(0), "this is UTF-16; expected UTF-8");
     const std::size_t first = text_.find_first_not_of(" \t\r\n");
     if (first == std::string_view::npos || text_[first] != '<')
         throw ParseError(locate(std::min(first, text_.size())),
@@ -59,10 +61,16 @@ XmlDocument::XmlDocument(std::string_view text, std::string file)
 SourceLocation XmlDocument::locate(std::size_t offset) const
 {
     const std::string_view before = text_.substr(0, offset);
-    const auto lines = static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n'));
-    const std::size_t lastEnd = before.rfind('\n');
-    const std::size_t lineStart = lastEnd == std::string_view::npos ? 0 : lastEnd + 1;
-    return {file_, lines + 1, before.size() - lineStart + 1};
+    if (before.size() < knownOffset_)
+    {
+        knownOffset_ = 0;
+        knownLine_ = 1;
+    }
+    const std::string_view since = before.substr(knownOffset_);
+    knownLine_ += static_cast<std::size_t>(std::count(since.begin(), since.end(), '\n'));
+    knownOffset_ = before.size();
+    const std::size_t lineStart = before.rfind('\n') + 1; // npos + 1 is 0
+    return {file_, knownLine_, before.size() - lineStart + 1};
 }
 
 SourceLocation XmlDocument::where(pugi::xml_node element) const

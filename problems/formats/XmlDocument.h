@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// A parsed XML text that still knows where its elements stand. Internal to the GraphML reader.
+/// A parsed XML text that still knows where its elements stand. Internal to the readers of
+/// this folder.
 
 #include "framework/support/Error.h"
 
@@ -21,7 +22,7 @@ public:
     /// The outermost element; none in a text without elements.
     [[nodiscard]] pugi::xml_node root() const { return document_.document_element(); }
 
-    /// The place of an element's `<`. O(file).
+    /// The place of an element's `<`. O(file), in total too where places are asked for in their order.
     [[nodiscard]] SourceLocation where(pugi::xml_node element) const;
 
     [[noreturn]] void fail(pugi::xml_node element, const std::string &what) const;
@@ -38,6 +39,8 @@ private:
     std::string_view text_;
     std::string file_;
     pugi::xml_document document_;
+    mutable std::size_t knownOffset_ = 0; ///< of the place that was located last, and its line
+    mutable std::size_t knownLine_ = 1;
 };
 
 /// An element's name without its namespace prefix.

@@ -67,9 +67,12 @@ TEST(Generate, hasEveryGeneratorWithItsParameters)
     {
         const auto name = problem.at("name").get<std::string>();
         const Outcome one = mrppsim({"generate", name, "--help"}, scratch);
+        if (one.code == 2)
+        {
+            EXPECT_THAT(one.err, HasSubstr("there is no '" + name + "' to generate")); // it comes from files
+            continue;
+        }
         ASSERT_EQ(one.code, 0) << name;
-        if (one.out.find("generate " + name + " [OPTIONS]") == std::string::npos)
-            continue; // its instances come from files
         ++families;
         EXPECT_THAT(help, HasSubstr(name));
         EXPECT_THAT(one.out, HasSubstr("--seed"));

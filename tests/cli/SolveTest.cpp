@@ -102,6 +102,37 @@ TEST(Solve, everyFileAgreesWithTheJson)
     EXPECT_EQ(validateFile("connector", "c.csv", scratch, "pebble").code, 1);
 }
 
+TEST(Solve, writesAllOfItsFilesOrNone)
+{
+    const Scratch scratch;
+    scratch.write("folder/in.txt", "");
+    const Outcome outcome =
+        mrppsim({"solve", "--instance", kData + "tree.instance", "--planner", "push_and_swap", "--json",
+                 "s.json", "--solution", "s.csv", "--animation", "folder"},
+                scratch);
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_THAT(outcome.err, HasSubstr("folder: cannot be written: it is a folder"));
+    EXPECT_THAT(scratch.tree(), ::testing::SizeIs(1));
+}
+
+TEST(Solve, anAnimationKeepsTheMotionRule)
+{
+    const Scratch scratch;
+    const auto animation = [&scratch](const char *motion)
+    {
+        const Outcome outcome = mrppsim({"solve", "--instance", kData + "connector.instance", "--planner",
+                                         "push_and_swap", "--motion", motion, "--animation", "a.txt"},
+                                        scratch);
+        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        EXPECT_EQ(validateFile("connector", "a.txt", scratch, motion).code, 0) << motion;
+        return scratch.read("a.txt");
+    };
+    EXPECT_THAT(animation("rotation"), HasSubstr("M:TRANSITIVE"));
+    EXPECT_THAT(animation("following"), HasSubstr("M:TRANSITIVE"));
+    EXPECT_THAT(animation("parallel"), HasSubstr("M:IMMEDIATE"));
+    EXPECT_THAT(animation("pebble"), HasSubstr("M:IMMEDIATE"));
+}
+
 TEST(Solve, jsonHasEveryPromisedKeyAlsoWithoutASolution)
 {
     const Scratch scratch;

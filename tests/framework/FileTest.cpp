@@ -94,8 +94,7 @@ TEST_F(File, IsNotWrittenWhereItsFolderIsAFile)
 TEST_F(File, DoesNotReplaceAFolder)
 {
     fs::create_directory(folder_ / "sub");
-    EXPECT_EQ(complaintOf([&] { writeFile(folder_ / "sub", "text"); }),
-              "cannot be written (rename): Is a directory");
+    EXPECT_EQ(complaintOf([&] { writeFile(folder_ / "sub", "text"); }), "cannot be written: it is a folder");
     EXPECT_EQ(filesInFolder(), 1U);
 }
 
@@ -158,6 +157,28 @@ TEST_F(File, PiecesAreOneFileOnceCommitted)
     writer.commit();
     EXPECT_EQ(readFile(folder_ / "x"), "one, two");
     EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_), {}), 1);
+}
+
+TEST_F(File, ASetOfFilesIsWrittenAsAWholeOrNotAtAll)
+{
+    const auto writeBoth = [this](const fs::path &second)
+    {
+        FileSet files;
+        files.add(folder_ / "x").write("1");
+        files.add(second).write("2");
+        files.commit();
+    };
+    writeFile(folder_ / "x", "old");
+    fs::create_directory(folder_ / "folder");
+    EXPECT_THROW(writeBoth(folder_ / "folder"), FileError);
+    EXPECT_THROW(writeBoth(folder_ / "x" / "y"), FileError);
+    EXPECT_THROW(writeBoth(folder_ / "folder/../x"), FileError) << "the same file twice";
+    EXPECT_EQ(readFile(folder_ / "x"), "old");
+    EXPECT_EQ(filesInFolder(), 2U) << "nothing is left behind";
+
+    writeBoth(folder_ / "y");
+    EXPECT_EQ(readFile(folder_ / "x"), "1");
+    EXPECT_EQ(readFile(folder_ / "y"), "2");
 }
 
 } // namespace

@@ -32,7 +32,7 @@ protected:
         const auto graph = loadGraph(at("room.map")).graph;
         instance_ = {graph, {0, 6}, {2, 3}};
         saveInstance(at("room-even-1.scen"), instance_, at("room.map"));
-        saveSolution(at("moves.csv"), Schedule({{0, 0, 1}, {1, 6, 3}, {0, 1, 2}}, {2, 3}));
+        writeFile(at("moves.csv"), formatSolutionCsv(Schedule({{0, 0, 1}, {1, 6, 3}, {0, 1, 2}}, {2, 3})));
     }
     void TearDown() override { std::filesystem::remove_all(folder_.parent_path()); }
 

@@ -289,7 +289,8 @@ TEST_F(FormatsFolder, SaysWhichFormatsAreKnown)
     EXPECT_THAT(graph("g.txt", "hello\n"), HasSubstr("a graph is a MovingAI map (.map), GraphML"));
     EXPECT_THAT(graph("g.csv", "step,robot,from,to\n"), HasSubstr("this is a solution, no graph"));
     EXPECT_THAT(graph("g", ""), HasSubstr("of no known format"));
-    EXPECT_THAT(graph("g.gml", "graph [\n node [ id 0 ] ]\n"), HasSubstr("g.gml:1:1: not XML"));
+    EXPECT_THAT(graph("g.gml", "graph [\n node [ id 0 ] ]\n"),
+                HasSubstr("g.gml:1:1: this is GML, the bracketed format"));
     EXPECT_THAT(graph("g.map", ""), HasSubstr("g.map:1:1: the file ends within the header"));
     EXPECT_THAT(graph("g.instance", "graph = x\n"), HasSubstr("this is an instance, no graph"));
     EXPECT_THAT(complaint([this] { (void)loadGraph(folder_ / "none.map"); }),
@@ -380,9 +381,11 @@ TEST_F(FormatsFolder, SavesWhatItLoads)
     EXPECT_THROW(saveGraph(folder_ / "path.map", *path(3)), InputError);
     EXPECT_FALSE(std::filesystem::exists(folder_ / "path.map"));
 
-    saveSolution(folder_ / "s.csv", Solution({{0, 0, 1}, {0, 1, 2}}));
+    FileSet files;
+    saveSolution(files, folder_ / "s.csv", Solution({{0, 0, 1}, {0, 1, 2}}));
+    saveSolution(files, folder_ / "t.csv", Schedule({{0, 0, 1}}, {1}));
+    files.commit();
     EXPECT_EQ(readFile(folder_ / "s.csv"), "step,robot,from,to\n0,0,0,1\n1,0,1,2\n");
-    saveSolution(folder_ / "t.csv", Schedule({{0, 0, 1}}, {1}));
     EXPECT_EQ(readSolutionCsv(folder_ / "t.csv").moves.size(), 1);
     saveAnimation(folder_ / "a.txt", instance, Schedule({{0, 0, 1}}, {1}));
     EXPECT_THAT(readFile(folder_ / "a.txt"), testing::EndsWith("1 ---> 2 (0)\nLength:1\n"));

@@ -124,7 +124,7 @@ TEST(Tracker, RefusesWhatIsMalformed)
         {"OpenQuote", "solution_plan\n\"rr\n", "bad:2:1", "never closed"},
         {"BehindQuote", "solution_plan\n\"r\"r\n", "bad:2:4", "expected a comma"},
         {"TooFewCells", "agents,solution_plan\nr\n", "bad:2:1", "the row has 1 cells"},
-        {"TwoPlans", "solution_plan\nr\nr\n", "bad:3:1", "a second plan"},
+        {"TwoPlans", "solution_plan\nr\nr\n", "bad", "there are 2 plans, but none of 1 robots"},
         {"Flip", "solution_plan,flip_up_down\nr,maybe\n", "bad:2:3", "neither TRUE nor FALSE"},
         {"Letter", "solution_plan\nrx\n", "bad:2:2", "expected one of u, d, l, r and w"},
         {"OffTheMap", "solution_plan\n5r\n", "bad:2:1", "the cell (4, 0)"},
@@ -235,7 +235,7 @@ TEST(LibMrp, RefusesWhatIsMalformed)
         {"OtherTime", "schedule:\n  agent0: [{x: 0, y: 0, t: 1}]\n", "bad:2:28", "expected the time 0"},
         {"Obstacle", "schedule:\n  agent0: [{x: 1, y: 1, t: 0}]\n", "bad:2:12",
          "no vertex on the cell (1, 1)"},
-        {"Name", "schedule:\n  agent0: [{v: A, t: 0}]\n", "bad:2:16", "names other than numbers"},
+        {"Name", "schedule:\n  agent0: [{v: A, t: 0}]\n", "bad:2:16", "there is no vertex 'A'"},
         {"NoStates", "schedule:\n  agent0: []\n", "bad", "robot 0 has no path"},
     };
     for (const Refusal &refusal : schedules)

@@ -184,7 +184,7 @@ const std::vector<Malformed> kFiles = {
     // GraphML
     {"GraphMlEmpty", Kind::graphMl, "", 1, 1, "not XML"},
     {"GraphMlBlank", Kind::graphMl, "\n  \n", 3, 1, "not XML"},
-    {"GraphMlNoXml", Kind::graphMl, "graph [\n node [ id 0 ]\n]\n", 1, 1, "not XML"},
+    {"GraphMlNoXml", Kind::graphMl, "graph [\n node [ id 0 ]\n]\n", 1, 1, "export the graph as GraphML"},
     {"GraphMlTextInFront", Kind::graphMl, "hello <graphml/>", 1, 1, "not XML"},
     {"GraphMlFigure1AsPrinted", Kind::graphMl, kFigure1, 28, 3, "an end tag that does not fit"},
     {"GraphMlMissingQuote", Kind::graphMl, graphMl("<edge id=\"e3 source=\"n0\" target=\"n1\"/>"), 4, 22,
