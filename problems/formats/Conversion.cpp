@@ -11,6 +11,7 @@
 #include "problems/formats/GraphText.h"
 #include "problems/formats/Kei18.h"
 #include "problems/formats/LibMrpYaml.h"
+#include "problems/formats/MovingAiScenario.h"
 #include "problems/formats/Paths.h"
 #include "problems/formats/PlanViz.h"
 #include "problems/formats/SolutionCsv.h"
@@ -33,26 +34,36 @@ enum class Holds
     solution,
 };
 
+/// What of the vertices' coordinates a format can say.
+enum class Coordinates
+{
+    all,
+    flatUp,   ///< x and y, which grows upwards
+    flatDown, ///< x and y, which grows downwards
+    scaled,   ///< x and y in another unit, drawn the right way up
+    none,
+};
+
 /// A format that is written, and what of a graph it can say.
 struct Target
 {
     FormatId id;
     const char *name;
     Holds holds;
-    bool coordinates = true;
+    Coordinates coordinates = Coordinates::all;
     bool weights = true;
 };
 
 constexpr Target kTargets[] = {
     {FormatId::graphMl, "graphml", Holds::graph},
-    {FormatId::movingAiMap, "movingai_map", Holds::graph, true, false},
-    {FormatId::dimacs, "dimacs", Holds::graph, false},
-    {FormatId::edgeList, "edge_list", Holds::graph, false},
+    {FormatId::movingAiMap, "movingai_map", Holds::graph, Coordinates::flatDown, false},
+    {FormatId::dimacs, "dimacs", Holds::graph, Coordinates::none},
+    {FormatId::edgeList, "edge_list", Holds::graph, Coordinates::none},
     {FormatId::instanceText, "instance", Holds::instance},
-    {FormatId::scenario, "movingai_scenario", Holds::instance, true, false},
-    {FormatId::cpf, "cpf", Holds::instance, false, false},
-    {FormatId::kei18Instance, "kei18_instance", Holds::instance, true, false},
-    {FormatId::libMrpInstance, "libmrp_instance", Holds::instance, true, false},
+    {FormatId::scenario, "movingai_scenario", Holds::instance, Coordinates::flatDown, false},
+    {FormatId::cpf, "cpf", Holds::instance, Coordinates::none, false},
+    {FormatId::kei18Instance, "kei18_instance", Holds::instance, Coordinates::flatDown, false},
+    {FormatId::libMrpInstance, "libmrp_instance", Holds::instance, Coordinates::flatUp, false},
     {FormatId::solutionCsv, "solution", Holds::solution},
     {FormatId::surynekSolution, "surynek_solution", Holds::solution},
     {FormatId::kei18Result, "kei18_result", Holds::solution},
@@ -60,8 +71,8 @@ constexpr Target kTargets[] = {
     {FormatId::paths, "paths", Holds::solution},
     {FormatId::trackerCsv, "tracker_csv", Holds::solution},
     {FormatId::trackerJson, "tracker_json", Holds::solution},
-    {FormatId::graphRec, "graphrec", Holds::solution, true, false},
-    {FormatId::graphRecXml, "graphrec_xml", Holds::solution, true, false},
+    {FormatId::graphRec, "graphrec", Holds::solution, Coordinates::scaled, false},
+    {FormatId::graphRecXml, "graphrec_xml", Holds::solution, Coordinates::scaled, false},
     {FormatId::planViz, "planviz", Holds::solution},
 };
 
@@ -160,10 +171,26 @@ private:
 
     void noteLosses(const Graph &graph)
     {
-        if (!target_.coordinates && graph.hasCoordinates())
-            note({"lost: the vertices' coordinates"});
+        if (graph.hasCoordinates())
+            noteCoordinates(graph);
         if (!target_.weights && graph.isWeighted())
             note({"lost: the edges' weights"});
+    }
+
+    void noteCoordinates(const Graph &graph)
+    {
+        if (target_.coordinates == Coordinates::all)
+            return;
+        if (target_.coordinates == Coordinates::none)
+            return note({"lost: the vertices' coordinates"});
+        const auto points = graph.coordinates();
+        if (std::any_of(points.begin(), points.end(), [](const Point &point) { return point.z != 0; }))
+            note({"lost: the vertices' heights (z)"});
+        if (target_.coordinates == Coordinates::scaled)
+            return note({"changed: coordinates are scaled to 60 units between neighbours"});
+        if ((graph.yAxis() == YAxis::up) != (target_.coordinates == Coordinates::flatUp))
+            note({std::string("changed: the direction of y, which grows ") +
+                  (graph.yAxis() == YAxis::up ? "downwards" : "upwards") + " here"});
     }
 
     void write(const std::filesystem::path &file, const std::string &text)
@@ -195,8 +222,12 @@ private:
             note({"lost: the robots"});
         if (holdsSolution(in_))
             note({"lost: the moves"});
+        if (loaded.map && target_.id == FormatId::movingAiMap)
+            return write(request_.out, formatMovingAiMap(*loaded.map));
         const Graph &graph = *loaded.graph;
         noteLosses(graph);
+        if (loaded.map && formatMovingAiMap(gridMapOf(graph)) != formatMovingAiMap(*loaded.map))
+            note({"lost: the map's size, and what its obstacles are"});
         write(request_.out, asTarget(
                                 [&]
                                 {
@@ -241,32 +272,43 @@ private:
         if (target_.id == FormatId::cpf)
             return write(request_.out, formatCpf(instance));
         if (target_.id == FormatId::libMrpInstance)
+        {
+            if (const auto map = loaded.vertexNames.empty() ? ifGridMap(*instance.graph) : std::nullopt)
+                noteRenumbering(*instance.graph, *map);
             return write(request_.out,
                          asTarget([&] { return formatLibMrpInstance(instance, loaded.vertexNames); }));
+        }
 
-        const std::filesystem::path graphFile = asTarget([&] { return graphFor(instance); });
+        const auto [graphFile, map] = asTarget([&] { return graphFor(instance); });
+        if (target_.id != FormatId::instanceText &&
+            graphFile.parent_path().lexically_normal() != request_.out.parent_path().lexically_normal())
+            note({"the map does not lie beside it, as its name alone stands in the file: " +
+                  graphFile.string()});
+        if (map && target_.id == FormatId::scenario)
+            return write(request_.out, formatMovingAiScenario(*map, instance, graphFile.filename().string()));
         if (target_.id == FormatId::kei18Instance)
-            return write(
-                request_.out,
-                asTarget([&] { return formatKei18Instance(instance, graphFile.filename().string()); }));
-        asTarget(
-            [&]
-            {
-                saveInstance(files_, request_.out, instance, graphFile,
-                             target_.id == FormatId::scenario ? InstanceForm::scenario : InstanceForm::text);
-                return 0;
-            });
+            return write(request_.out,
+                         asTarget([&, &file = graphFile]
+                                  { return formatKei18Instance(instance, file.filename().string()); }));
+        saveInstance(files_, request_.out, instance, graphFile,
+                     target_.id == FormatId::scenario ? InstanceForm::scenario : InstanceForm::text);
         result_.files.push_back(request_.out);
     }
 
     /// Where the graph of the new instance lies: where it lay before if that suits, else beside the instance.
-    std::filesystem::path graphFor(const Instance &instance)
+    /// With the map, if one is needed and lies there already.
+    std::pair<std::filesystem::path, std::optional<GridMap>> graphFor(const Instance &instance)
     {
         const bool needsMap = target_.id != FormatId::instanceText;
         const auto known = request_.graph ? request_.graph : graphFileOf(request_.in);
         std::error_code error;
-        if (known && std::filesystem::exists(*known, error) && (!needsMap || loadGraph(*known).map))
-            return *known;
+        if (known && std::filesystem::exists(*known, error))
+        {
+            if (!needsMap)
+                return {*known, std::nullopt};
+            if (auto map = loadGraph(*known).map)
+                return {*known, std::move(map)};
+        }
         std::filesystem::path file = request_.out;
         file.replace_extension(needsMap ? ".map" : ".graphml");
         const std::string text = needsMap ? mapText(*instance.graph) : formatGraphMl(*instance.graph);
@@ -275,7 +317,7 @@ private:
                              ", but there is another file of that name");
         write(file, text);
         note({"the graph is in a file of its own: " + file.string()});
-        return file;
+        return {file, std::nullopt};
     }
 
     void convertSolution()
@@ -293,6 +335,8 @@ private:
         const Schedule schedule = scheduleOf(rows, instance);
         if (!validate(instance, schedule, MotionRule::rotation).complete)
             note({"not all robots end at their goals"});
+        if (target_.id == FormatId::graphRecXml)
+            note({"lost: the robots' goals"});
         if (target_.id == FormatId::graphRec || target_.id == FormatId::graphRecXml)
         {
             saveAnimation(files_, request_.out, instance, schedule,
@@ -335,6 +379,18 @@ private:
         }
         default:
             return formatSolutionCsv(schedule);
+        }
+    }
+
+    static std::optional<GridMap> ifGridMap(const Graph &graph)
+    {
+        try
+        {
+            return gridMapOf(graph);
+        }
+        catch (const InputError &)
+        {
+            return std::nullopt;
         }
     }
 

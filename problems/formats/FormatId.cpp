@@ -30,9 +30,10 @@ bool hasLine(std::string_view text, std::string_view begin)
 /// A record of a scenario without its first line: text, and seven numbers at the end.
 bool isScenarioRecord(std::string_view line)
 {
+    constexpr std::size_t longest = 1000;
     std::size_t words = 0;
     std::size_t numbers = 0; // since the last word that is none
-    for (LineCursor cursor(trimmed(line)); !cursor.atEnd(); ++words)
+    for (LineCursor cursor(trimmed(line.substr(0, longest))); !cursor.atEnd(); ++words)
         numbers = parseNumber(cursor.word()) ? numbers + 1 : 0;
     return words >= 9 && numbers >= 7 && numbers < words;
 }

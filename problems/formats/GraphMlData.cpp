@@ -35,7 +35,7 @@ GraphMlData::GraphMlData(const XmlDocument &document)
         for (const pugi::xml_node part : child.children())
             if (isOurs(part) && localName(part) == "default")
                 key.defaultValue = textOf(part);
-        if (find(key.id) != nullptr)
+        if (!positions_.emplace(key.id, keys_.size()).second)
             document.fail(child, "a key " + inQuotes(key.id) + " is declared already");
         keys_.push_back(key);
     }
@@ -55,9 +55,8 @@ bool GraphMlData::isOurs(pugi::xml_node element) const
 
 const GraphMlData::Key *GraphMlData::find(std::string_view id) const
 {
-    const auto found =
-        std::find_if(keys_.begin(), keys_.end(), [id](const Key &key) { return key.id == id; });
-    return found == keys_.end() ? nullptr : &*found;
+    const auto found = positions_.find(id);
+    return found == positions_.end() ? nullptr : &keys_[found->second];
 }
 
 const GraphMlData::Key *GraphMlData::findNamed(std::string_view scope,

@@ -9,6 +9,7 @@
 #include <array>
 #include <initializer_list>
 #include <optional>
+#include <unordered_map>
 #include <vector>
 
 namespace mrpp
@@ -65,9 +66,10 @@ private:
     const XmlDocument &document_;
     std::string_view prefix_;
     std::vector<Key> keys_;
-    const Key *point_ = nullptr;        ///< the whole coordinate in one text
-    std::array<const Key *, 3> axes_{}; ///< x, y, z apart
-    const Key *box_ = nullptr;          ///< yEd's geometry
+    std::unordered_map<std::string_view, std::size_t> positions_; ///< of the keys, by their ids
+    const Key *point_ = nullptr;                                  ///< the whole coordinate in one text
+    std::array<const Key *, 3> axes_{};                           ///< x, y, z apart
+    const Key *box_ = nullptr;                                    ///< yEd's geometry
     const Key *weight_ = nullptr;
     const Key *yAxis_ = nullptr;
 };

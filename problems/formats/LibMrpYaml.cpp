@@ -110,7 +110,7 @@ public:
 private:
     std::shared_ptr<const Graph> readMap(const Config &map)
     {
-        constexpr std::int64_t mostCells = 1 << 22;
+        constexpr std::int64_t mostCells = 1 << 21;
         const Config &dimensions = tree_.get(map, "dimensions");
         const auto [width, height] = tree_.point(dimensions);
         if (width < 1 || height < 1 || width > mostCells || height > mostCells || width * height > mostCells)
@@ -118,24 +118,18 @@ private:
                        "expected [columns, rows] of 1 to " + std::to_string(mostCells) + " cells altogether");
         width_ = width;
         height_ = height;
-        std::string text =
-            "type octile\nheight " + std::to_string(height) + "\nwidth " + std::to_string(width) + "\nmap\n";
-        const std::size_t first = text.size();
-        const auto rowSize = static_cast<std::size_t>(width) + 1;
-        for (std::int64_t y = 0; y < height; ++y)
-            text.append(rowSize - 1, '.').push_back('\n');
+        std::string cells(static_cast<std::size_t>(width * height), '.');
         if (const Config *obstacles = map.find("obstacles"))
             for (const Config &obstacle : tree_.items(*obstacles, "obstacles"))
             {
                 const auto [x, y] = tree_.point(obstacle);
                 if (x < 0 || y < 0 || x >= width || y >= height)
                     tree_.fail(obstacle, "the obstacle " + cellName(x, y) + " is outside the map");
-                text[first + static_cast<std::size_t>(y) * rowSize + static_cast<std::size_t>(x)] = '@';
+                cells[static_cast<std::size_t>(y * width + x)] = '@';
             }
-        map_ = parseMovingAiMap(text, tree_.file());
-        const Graph &down = *map_->graph; // their own plots draw y upwards
-        return Graph::fromEdges(down.vertexCount(), down.edges(),
-                                {down.coordinates().begin(), down.coordinates().end()}, YAxis::up);
+        map_ = makeGridMap(static_cast<std::size_t>(width), static_cast<std::size_t>(height),
+                           std::move(cells), passability(), YAxis::up); // as their own plots are drawn
+        return map_->graph;
     }
 
     std::shared_ptr<const Graph> readRoadmap(const Config &roadmap)

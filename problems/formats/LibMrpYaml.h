@@ -35,7 +35,7 @@ struct LibMrpInstance
 };
 
 /// Throws ParseError for what is no YAML or lacks a part, obstacles and robots outside the map or on each
-/// other, robots without one goal, and maps of more than 2^22 cells.
+/// other, robots without one goal, and maps of more than 2^21 cells.
 [[nodiscard]] LibMrpInstance parseLibMrpInstance(std::string_view text, const std::string &file);
 
 // Below, `vertexNames` are those of the roadmap; where they are empty, vertices are named by their numbers.

@@ -5,6 +5,7 @@
 #include "framework/support/Suggestion.h"
 #include "problems/formats/TextReader.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace mrpp
@@ -88,32 +89,6 @@ void readRow(const TextReader &reader, std::string_view row, std::size_t width, 
                                                          std::to_string(width));
 }
 
-/// Numbers the passable cells and joins those that share a side.
-void buildGraph(GridMap &map, std::string_view passable)
-{
-    map.vertices.assign(map.cells.size(), kNoVertex);
-    std::vector<Point> coordinates;
-    std::vector<Graph::Edge> edges;
-    for (std::size_t y = 0; y < map.height; ++y)
-    {
-        for (std::size_t x = 0; x < map.width; ++x)
-        {
-            const std::size_t cell = y * map.width + x;
-            if (passable.find(map.cells[cell]) == std::string_view::npos)
-                continue;
-            const auto v = static_cast<Vertex>(coordinates.size());
-            map.vertices[cell] = v;
-            coordinates.push_back({static_cast<double>(x), static_cast<double>(y), 0});
-            if (x > 0 && map.vertices[cell - 1] != kNoVertex)
-                edges.push_back({map.vertices[cell - 1], v});
-            if (y > 0 && map.vertices[cell - map.width] != kNoVertex)
-                edges.push_back({map.vertices[cell - map.width], v});
-        }
-    }
-    const std::size_t count = coordinates.size();
-    map.graph = Graph::fromEdges(count, edges, std::move(coordinates), YAxis::down);
-}
-
 } // namespace
 
 std::span<const Passability> passabilities()
@@ -142,24 +117,51 @@ GridMap parseMovingAiMap(std::string_view text, const std::string &file, const P
 {
     TextReader reader(text, file);
     const Header header = readHeader(reader);
-    GridMap map;
-    map.width = header.width;
-    map.height = header.height;
-    for (std::size_t y = 0; y < map.height; ++y)
+    std::string cells;
+    for (std::size_t y = 0; y < header.height; ++y)
     {
         const auto row = reader.next();
         if (!row)
             reader.fail(reader.line() + 1, 1,
                         "the file ends after " + std::to_string(y) + " rows, but the header says height " +
-                            std::to_string(map.height));
-        readRow(reader, *row, map.width, rule);
-        map.cells += *row;
+                            std::to_string(header.height));
+        readRow(reader, *row, header.width, rule);
+        cells += *row;
     }
     while (const auto line = reader.next())
         if (!trimmed(*line).empty())
             reader.fail(1, "there is something behind the last row; the header says height " +
-                               std::to_string(map.height));
-    buildGraph(map, rule.passable);
+                               std::to_string(header.height));
+    return makeGridMap(header.width, header.height, std::move(cells), rule);
+}
+
+GridMap makeGridMap(std::size_t width, std::size_t height, std::string cells, const Passability &rule,
+                    YAxis yAxis)
+{
+    GridMap map{width, height, std::move(cells), nullptr, std::vector<Vertex>(width * height, kNoVertex)};
+    const auto isFree = [&rule](char cell) { return rule.passable.find(cell) != std::string_view::npos; };
+    const auto free = static_cast<std::size_t>(std::count_if(map.cells.begin(), map.cells.end(), isFree));
+    std::vector<Point> coordinates;
+    std::vector<Graph::Edge> edges;
+    coordinates.reserve(free);
+    edges.reserve(2 * free);
+    for (std::size_t y = 0; y < height; ++y)
+    {
+        for (std::size_t x = 0; x < width; ++x)
+        {
+            const std::size_t cell = y * width + x;
+            if (!isFree(map.cells[cell]))
+                continue;
+            const auto v = static_cast<Vertex>(coordinates.size());
+            map.vertices[cell] = v;
+            coordinates.push_back({static_cast<double>(x), static_cast<double>(y), 0});
+            if (x > 0 && map.vertices[cell - 1] != kNoVertex)
+                edges.push_back({map.vertices[cell - 1], v});
+            if (y > 0 && map.vertices[cell - width] != kNoVertex)
+                edges.push_back({map.vertices[cell - width], v});
+        }
+    }
+    map.graph = Graph::fromEdges(free, edges, std::move(coordinates), yAxis);
     return map;
 }
 
@@ -181,15 +183,15 @@ GridMap gridMapOf(const Graph &graph)
     constexpr std::size_t mostCells = std::size_t{1} << 28;
     if (map.width * map.height > mostCells)
         refuse("it would have " + std::to_string(map.width) + " x " + std::to_string(map.height) + " cells");
-    map.cells.assign(map.width * map.height, '@');
+    std::string cells(map.width * map.height, '@');
     for (const Point &p : graph.coordinates())
     {
-        char &cell = map.cells[static_cast<std::size_t>(p.y) * map.width + static_cast<std::size_t>(p.x)];
+        char &cell = cells[static_cast<std::size_t>(p.y) * map.width + static_cast<std::size_t>(p.x)];
         if (cell == '.')
             refuse("two vertices share a cell");
         cell = '.';
     }
-    buildGraph(map, ".");
+    map = makeGridMap(map.width, map.height, std::move(cells));
     if (map.graph->edgeCount() != graph.edgeCount())
         refuse("its edges must join exactly the cells that share a side");
     for (const Graph::Edge &edge : graph.edges())

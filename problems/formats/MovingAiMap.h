@@ -78,6 +78,12 @@ struct GridMap
 [[nodiscard]] GridMap parseMovingAiMap(std::string_view text, const std::string &file,
                                        const Passability &rule = passability());
 
+/// The map of given symbols: numbers the passable cells and joins those that share a side. O(cells).
+/// \param yAxis of the graph
+/// \pre cells.size() == width · height
+[[nodiscard]] GridMap makeGridMap(std::size_t width, std::size_t height, std::string cells,
+                                  const Passability &rule = passability(), YAxis yAxis = YAxis::down);
+
 /// The map of a graph whose vertices lie on whole coordinates from 0 on and whose edges join exactly the
 /// neighbouring cells; the vertices keep their numbers only where they are numbered row by row. Throws
 /// InputError for any other graph. O(cells).

@@ -47,11 +47,17 @@ public:
     /// The next row; nothing at the end of the text. Blank lines are skipped.
     std::vector<Cell> row()
     {
+        constexpr std::size_t mostCells = 1000;
         std::vector<Cell> cells;
         while (!rest_.empty() && (rest_.front() == '\n' || rest_.front() == '\r'))
             take();
         while (!rest_.empty() && (cells.empty() || !cells.back().endsRow))
+        {
+            if (cells.size() == mostCells)
+                throw ParseError({file_, line_, column_},
+                                 "the row has more than " + std::to_string(mostCells) + " cells");
             cells.push_back(cell());
+        }
         return cells;
     }
 

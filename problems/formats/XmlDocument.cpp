@@ -3,6 +3,8 @@
 #include "problems/formats/TextReader.h"
 
 #include <algorithm>
+#include <array>
+#include <unordered_set>
 
 namespace mrpp
 {
@@ -94,10 +96,22 @@ std::string_view XmlDocument::required(pugi::xml_node element, const char *attri
 
 void XmlDocument::checkAttributes(pugi::xml_node element) const
 {
-    for (auto first = element.attributes_begin(); first != element.attributes_end(); ++first)
-        for (auto second = std::next(first); second != element.attributes_end(); ++second)
-            if (std::string_view(first->name()) == second->name())
-                fail(element, "the attribute '" + std::string(first->name()) + "' stands twice");
+    const auto refuse = [&](std::string_view name)
+    { fail(element, "the attribute " + inQuotes(name) + " stands twice"); };
+    constexpr std::size_t few = 8;
+    std::array<std::string_view, few> names;
+    std::size_t count = 0;
+    std::unordered_set<std::string_view>
+        more; // nobody writes so many, but a quadratic search would take hours
+    for (const pugi::xml_attribute attribute : element.attributes())
+    {
+        const std::string_view name = attribute.name();
+        if (std::find(names.begin(), names.begin() + count, name) != names.begin() + count ||
+            (count == few && !more.insert(name).second))
+            refuse(name);
+        if (count < few)
+            names[count++] = name;
+    }
 }
 
 std::string_view localName(pugi::xml_node element)

@@ -79,6 +79,21 @@ TEST_F(ConversionFolder, GraphsGoThroughEveryFormat)
                 testing::HasSubstr("did you mean 'graphml'?"));
 }
 
+TEST_F(ConversionFolder, MapsKeepTheirSizeAndSymbols)
+{
+    const std::string map = "type octile\nheight 3\nwidth 5\nmap\n...S@\n.T..@\n@@@@@\n";
+    writeFile(at("walled.map"), map);
+    EXPECT_TRUE(convertFile({at("walled.map"), at("same.map"), {}, {}, {}}).notes.empty());
+    EXPECT_EQ(readFile(at("same.map")), map);
+    EXPECT_THAT(convertFile({at("walled.map"), at("walled.graphml"), {}, {}, {}}).notes,
+                testing::ElementsAre("lost: the map's size, and what its obstacles are"));
+    writeFile(at("k.txt"), "map_file=walled.map\nagents=1\n0,0,3,1\n");
+    (void)convertFile({at("k.txt"), at("k.scen"), {}, {}, {}});
+    EXPECT_EQ(readFile(at("k.scen")), "version 1\n0\twalled.map\t5\t3\t0\t0\t3\t1\t3.41421356\n");
+    EXPECT_THAT(convertFile({at("k.scen"), at("k.yaml"), {}, {}, {}}).notes,
+                testing::ElementsAre("changed: the direction of y, which grows upwards here"));
+}
+
 TEST_F(ConversionFolder, InstancesGoThroughEveryFormat)
 {
     std::filesystem::path last = at("room-even-1.scen");
@@ -120,7 +135,7 @@ TEST_F(ConversionFolder, SolutionsGoThroughEveryFormat)
     {
         const auto out = at(std::string("s.") + format);
         const Conversion done = convertFile({last, out, {}, scenario, format});
-        EXPECT_TRUE(done.notes.empty()) << format;
+        EXPECT_EQ(done.notes.empty(), !std::string(format).starts_with("graphrec")) << format;
         (void)convertFile({out, at("again.csv"), {}, scenario, {}});
         EXPECT_EQ(readFile(at("again.csv")), before) << format;
         last = out;

@@ -2,7 +2,7 @@
 /// MRPP_DAMAGED_FILES is the number of cases a format (1500 where it is not set).
 
 #include "framework/support/Config.h"
-#include "framework/support/Random.h"
+#include "framework/support/Memory.h"
 #include "problems/formats/GraphMl.h"
 #include "problems/formats/GraphRec.h"
 #include "problems/formats/GraphText.h"
@@ -16,8 +16,9 @@
 #include "problems/formats/Tracker.h"
 
 #include "tests/problems/FormatCases.h"
+#include "tests/support/CpuClock.h"
+#include "tests/support/Damage.h"
 
-#include <chrono>
 #include <cstdlib>
 #include <functional>
 
@@ -41,6 +42,11 @@ Instance roomInstance()
 Schedule roomSchedule()
 {
     return Schedule({{0, 0, 1}, {1, 6, 3}, {0, 1, 2}}, {2, 3});
+}
+
+std::vector<std::string> roadmapNames()
+{
+    return {"A", "B", "C", "D", "é", "F: [", ""};
 }
 
 struct Format
@@ -70,6 +76,13 @@ std::vector<Format> formats()
     const auto graph = instance.graph;
     return {
         {"GraphMl", formatGraphMl(*graph), [](const std::string &t) { (void)parseGraphMl(t, "f"); }},
+        {"YEd",
+         "<graphml xmlns:y=\"y\"><key for=\"node\" id=\"d\" yfiles.type=\"nodegraphics\"/><graph id=\"G\">"
+         "<node id=\"n0\" yfiles.foldertype=\"group\"><graph edgedefault=\"directed\"><node id=\"n0::n0\">"
+         "<data key=\"d\"><y:ShapeNode><y:Geometry height=\"3\" width=\"3\" x=\"1\" y=\"5\"/></y:ShapeNode>"
+         "</data></node></graph></node><node id=\"n1\"/><edge source=\"n1\" "
+         "target=\"n0::n0\"/></graph></graphml>",
+         [](const std::string &t) { (void)parseGraphMl(t, "f"); }},
         {"Map", kMap, [](const std::string &t) { (void)parseMovingAiMap(t, "f"); }},
         {"Scenario", formatMovingAiScenario(room(), instance, "room.map"),
          [](const std::string &t)
@@ -104,87 +117,21 @@ std::vector<Format> formats()
          [](const std::string &t) { judge(parseKei18Result(t, "f", roomInstance())); }},
         {"LibMrpSchedule", formatLibMrpSchedule(instance, schedule),
          [](const std::string &t) { judge(parseLibMrpSchedule(t, "f", roomInstance())); }},
+        {"LibMrpRoadmapSchedule", formatLibMrpSchedule(instance, schedule, roadmapNames()),
+         [](const std::string &t) { judge(parseLibMrpSchedule(t, "f", roomInstance(), roadmapNames())); }},
         {"Paths", formatPaths(instance, schedule),
          [](const std::string &t) { judge(parsePaths(t, "f", roomInstance())); }},
         {"TrackerCsv", formatTracker(instance, schedule, TrackerForm::csv, {"room", "even", 1}),
          [](const std::string &t) { judge(parseTracker(t, "f", TrackerForm::csv, roomInstance())); }},
         {"TrackerJson", formatTracker(instance, schedule, TrackerForm::json, {"room", "even", 1}),
          [](const std::string &t) { judge(parseTracker(t, "f", TrackerForm::json, roomInstance())); }},
+        {"TrackerRows", "agents,path,flip_up_down\n1,rr,TRUE\n2,\"2r\nwu\",FALSE\n",
+         [](const std::string &t) { judge(parseTracker(t, "f", TrackerForm::csv, roomInstance())); }},
         {"GraphRec", formatGraphRec(instance, schedule),
          [](const std::string &t) { judge(graphRecRows(parseGraphRec(t, "f"), roomInstance())); }},
         {"GraphRecXml", formatGraphRec(instance, schedule, MotionRule::rotation, GraphRecForm::xml),
          [](const std::string &t) { judge(graphRecRows(parseGraphRecXml(t, "f"), roomInstance())); }},
     };
-}
-
-std::string damaged(std::string text, Random &random)
-{
-    static const std::vector<std::string> oddities = {"99999999999999999999",
-                                                      "4294967295",
-                                                      "4294967296",
-                                                      "-1",
-                                                      "2147483648",
-                                                      "1e308",
-                                                      "nan",
-                                                      "0x10",
-                                                      std::string(1, '\0'),
-                                                      "\xFF\xFE",
-                                                      "\r",
-                                                      "\n",
-                                                      "\"",
-                                                      "'",
-                                                      "{",
-                                                      "[",
-                                                      std::string(600, '['),
-                                                      std::string(600, '{'),
-                                                      std::string(300, '<'),
-                                                      "<a><b>",
-                                                      ": ",
-                                                      "- ",
-                                                      "&a ",
-                                                      "*a",
-                                                      "--->",
-                                                      ",,,,",
-                                                      "1000000",
-                                                      "999999999w",
-                                                      "\t",
-                                                      "  "};
-    const std::uint64_t damages = 1 + random.below(3);
-    for (std::uint64_t i = 0; i < damages && !text.empty(); ++i)
-    {
-        const auto at = static_cast<std::size_t>(random.below(text.size()));
-        const auto length = static_cast<std::size_t>(1 + random.below(20));
-        switch (random.below(7))
-        {
-        case 0:
-            text.resize(at);
-            break;
-        case 1:
-            text[at] = static_cast<char>(random.below(256));
-            break;
-        case 2:
-            text.erase(at, length);
-            break;
-        case 3:
-            text.insert(at, text.substr(static_cast<std::size_t>(random.below(text.size())), 4 * length));
-            break;
-        case 4:
-            text.insert(at, oddities[static_cast<std::size_t>(random.below(oddities.size()))]);
-            break;
-        case 5: { // a number becomes another
-            const std::size_t digit = text.find_first_of("0123456789", at);
-            if (digit != std::string::npos)
-                text.replace(digit, 1, oddities[static_cast<std::size_t>(random.below(5))]);
-            break;
-        }
-        default: { // a piece many times
-            const std::string piece = text.substr(at, length);
-            for (int repetition = 0; repetition < 200; ++repetition)
-                text.insert(at, piece);
-        }
-        }
-    }
-    return text;
 }
 
 class DamagedFormat : public testing::TestWithParam<Format>
@@ -199,10 +146,11 @@ TEST_P(DamagedFormat, IsReadOrRefused)
     Random random(deriveSeed(20, format.name));
     std::size_t read = 0;
     std::size_t refused = 0;
+    resetPeakMemory();
     for (std::int64_t i = 0; i < cases; ++i)
     {
-        const std::string text = damaged(format.good, random);
-        const auto begin = std::chrono::steady_clock::now();
+        const std::string text = test::damaged(format.good, random);
+        const double begin = test::cpuSeconds();
         try
         {
             format.read(text);
@@ -216,8 +164,8 @@ TEST_P(DamagedFormat, IsReadOrRefused)
         {
             FAIL() << "case " << i << ": " << error.what() << "\n" << text;
         }
-        const std::chrono::duration<double> time = std::chrono::steady_clock::now() - begin;
-        ASSERT_LT(time.count(), 10) << "case " << i; // 0.1 s on a free machine without sanitizers
+        ASSERT_LT(test::cpuSeconds() - begin, 2) << "case " << i << "\n" << text;
+        ASSERT_LT(peakMemory(), 1000) << "case " << i << "\n" << text; // MB, with all that came before
     }
     EXPECT_GT(refused, read / 20);
 }
