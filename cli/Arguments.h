@@ -54,6 +54,15 @@ struct SolveArguments
     std::optional<std::filesystem::path> json;
 };
 
+struct CheckArguments
+{
+    std::optional<std::filesystem::path> graph;
+    std::filesystem::path instance;
+    std::optional<std::int64_t> robots;
+    std::string motion;
+    bool json = false;
+};
+
 struct ValidateArguments
 {
     std::optional<std::filesystem::path> graph;
@@ -96,8 +105,8 @@ struct Answered
     ExitCode code = ExitCode::done;
 };
 
-using Arguments = std::variant<Answered, RunArguments, ReportArguments, SolveArguments, ValidateArguments,
-                               ConvertArguments, GenerateArguments, ListArguments>;
+using Arguments = std::variant<Answered, RunArguments, ReportArguments, SolveArguments, CheckArguments,
+                               ValidateArguments, ConvertArguments, GenerateArguments, ListArguments>;
 
 /// Prints help to the standard output, complaints to the standard error.
 /// \param catalog whose generators have an option for each of their parameters

@@ -13,6 +13,7 @@ namespace mrpp
 [[nodiscard]] ExitCode run(const RunArguments &arguments, const Catalog &catalog);
 [[nodiscard]] ExitCode report(const ReportArguments &arguments, const Catalog &catalog);
 [[nodiscard]] ExitCode solve(const SolveArguments &arguments, const Catalog &catalog);
+[[nodiscard]] ExitCode check(const CheckArguments &arguments);
 [[nodiscard]] ExitCode validate(const ValidateArguments &arguments);
 [[nodiscard]] ExitCode convert(const ConvertArguments &arguments);
 [[nodiscard]] ExitCode generate(const GenerateArguments &arguments, const Catalog &catalog);

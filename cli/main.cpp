@@ -26,6 +26,7 @@ struct Dispatch
     ExitCode operator()(const RunArguments &arguments) const { return run(arguments, catalog); }
     ExitCode operator()(const ReportArguments &arguments) const { return report(arguments, catalog); }
     ExitCode operator()(const SolveArguments &arguments) const { return solve(arguments, catalog); }
+    ExitCode operator()(const CheckArguments &arguments) const { return check(arguments); }
     ExitCode operator()(const ValidateArguments &arguments) const { return validate(arguments); }
     ExitCode operator()(const ConvertArguments &arguments) const { return convert(arguments); }
     ExitCode operator()(const GenerateArguments &arguments) const { return generate(arguments, catalog); }

@@ -20,6 +20,7 @@ TEST(Usage, helpTeachesOnEveryLevel)
                                                   {"report", "--help"},
                                                   {"solve", "--help"},
                                                   {"validate", "--help"},
+                                                  {"check", "--help"},
                                                   {"generate", "--help"},
                                                   {"list", "--help"}})
     {
@@ -86,7 +87,7 @@ INSTANTIATE_TEST_SUITE_P(
         WrongUse{{"solve", "--instance", "no.instance", "--planner", "push_and_swap"},
                  "no.instance: there is no such file"},
         WrongUse{{"validate", "--instance", "a"}, "--solution is required"},
-        WrongUse{{"generate"}, "A subcommand is required"},
+        WrongUse{{"check"}, "--instance is required"}, WrongUse{{"generate"}, "A subcommand is required"},
         WrongUse{{"generate", "gird"}, "there is no 'gird' to generate; did you mean 'grid'?"},
         WrongUse{{"generate", "gird", "--help"}, "there is no 'gird' to generate; did you mean 'grid'?"},
         WrongUse{{"generate", "tree", "--graph", "t.graphml", "--robots", "1", "--instance", "t.scen"},
