@@ -1,6 +1,7 @@
 #include "algorithms/Algorithms.h"
 
 #include "algorithms/Bibox.h"
+#include "algorithms/PushAndRotate.h"
 #include "algorithms/PushAndSwap.h"
 #include "algorithms/Tass.h"
 #include "algorithms/optimizers/RedundancyRemoval.h"
@@ -12,6 +13,9 @@ void registerAlgorithms(Catalog &catalog)
 {
     catalog.planners.add<Bibox>("bibox",
                                 "fills handle after handle of a biconnected graph, then sorts a cycle");
+    catalog.planners.add<PushAndRotate>(
+        "push_and_rotate",
+        "push, swap and rotate, one subgraph after another; complete with two free vertices");
     catalog.planners.add<PushAndSwap>("push_and_swap",
                                       "push aside or swap at a junction, one robot after another");
     catalog.planners.add<Tass>("tass", "trees: filled from the leaves inwards, swaps at junctions");

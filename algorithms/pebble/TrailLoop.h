@@ -18,6 +18,7 @@
 
 #include "algorithms/pebble/PebbleBoard.h"
 #include "algorithms/search/PathFinder.h"
+#include "framework/support/Random.h"
 #include "framework/support/TerminationCondition.h"
 
 #include <algorithm>
@@ -53,6 +54,31 @@ concept TrailOperations = requires(T operations, Robot r, Vertex v, const std::v
     operations.avoid(vertices);
 };
 
+/// Prices of paths and when to give up.
+struct TrailSettings
+{
+    /// Of entering a vertex with a robot that has still to travel, and with one that has arrived. At most
+    /// PathFinder::kMaxEnterCost, `noise` added.
+    PathFinder::Cost waitingPrice = PathFinder::kStep + 1;
+    PathFinder::Cost arrivedPrice = PathFinder::kStep * 11;
+    /// Chance adds 0 … noise to the price of each vertex. \pre a power of two less one
+    PathFinder::Cost noise = 0;
+    std::uint64_t noiseSeed = 0;
+    /// Nonzero where a robot cannot be swapped (on a path or a polygon): arrived robots are walls to it.
+    const std::vector<char> *unswappable = nullptr;
+    std::size_t mostMoves = std::numeric_limits<std::size_t>::max();
+    std::size_t mostSetbacks = std::numeric_limits<std::size_t>::max();
+
+    /// Prices of chance, for an attempt that is to differ from others.
+    void randomizePrices(Random &random)
+    {
+        arrivedPrice = PathFinder::kStep * static_cast<PathFinder::Cost>(1 + random.below(25));
+        waitingPrice = PathFinder::kStep + static_cast<PathFinder::Cost>(random.below(4));
+        noise = static_cast<PathFinder::Cost>((1U << random.below(3)) - 1);
+        noiseSeed = random.bits();
+    }
+};
+
 template <TrailOperations Operations>
 class TrailLoop
 {
@@ -64,21 +90,7 @@ public:
         stopped ///< by the termination condition
     };
 
-    /// Prices of paths and when to give up.
-    struct Settings
-    {
-        /// Of entering a vertex with a robot that has still to travel, and with one that has arrived. At most
-        /// PathFinder::kMaxEnterCost, `noise` added.
-        PathFinder::Cost waitingPrice = PathFinder::kStep + 1;
-        PathFinder::Cost arrivedPrice = PathFinder::kStep * 11;
-        /// Chance adds 0 … noise to the price of each vertex. \pre a power of two less one
-        PathFinder::Cost noise = 0;
-        std::uint64_t noiseSeed = 0;
-        /// Nonzero where a robot cannot be swapped (on a path or a polygon): arrived robots are walls to it.
-        const std::vector<char> *unswappable = nullptr;
-        std::size_t mostMoves = std::numeric_limits<std::size_t>::max();
-        std::size_t mostSetbacks = std::numeric_limits<std::size_t>::max();
-    };
+    using Settings = TrailSettings;
 
     /// Keeps references to all of them.
     TrailLoop(const Instance &instance, PebbleBoard &board, Operations &operations, PathFinder &paths,
