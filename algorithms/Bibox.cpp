@@ -62,8 +62,6 @@ Bibox::Bibox()
     declareParam("handles", handles_, "shortest,depth_first",
                  "how the graph is taken apart: always the shortest handle, or as a depth-first search meets "
                  "them");
-    declareParam("free_on_cycle", freeOnCycle_, "2:1000000",
-                 "free vertices that are kept for the first cycle, if there are as many");
 }
 
 std::optional<std::string> Bibox::reasonToReject(const Instance &instance) const
@@ -120,9 +118,7 @@ RestartingPlanner::Outcome Bibox::attempt(std::uint64_t number, const Terminatio
     const EarDecomposition &ears = others ? *others : *ears_;
 
     PebbleBoard goals({instance().graph, instance().goals, {}});
-    freeTheCycle(
-        goals, ears,
-        std::min({instance().freeCount(), ears.cycle().size(), static_cast<std::size_t>(freeOnCycle_)}));
+    freeTheCycle(goals, ears, std::min(instance().freeCount(), ears.cycle().size()));
     std::vector<Robot> goalRobots(graph().vertexCount());
     for (Vertex v = 0; v < goalRobots.size(); ++v)
         goalRobots[v] = goals.occupant(v);

@@ -51,7 +51,6 @@ private:
     [[nodiscard]] EarDecomposition decompose(std::uint64_t number) const;
 
     std::string handles_ = "shortest";
-    std::int64_t freeOnCycle_ = 1000000;
     std::unique_ptr<const EarDecomposition> ears_; ///< of attempt 0
 };
 

@@ -7,12 +7,35 @@ namespace mrpp
 {
 
 Carrier::Carrier(PebbleBoard &board, OpenGraph &open, const TerminationCondition &ptc)
-    : board_(board), open_(open), ptc_(ptc), costToGo_(open, ptc), search_(board.graph().vertexCount())
+    : board_(board), open_(open), ptc_(ptc), search_(board.graph().vertexCount()),
+      distanceSearch_(board.graph().vertexCount()), distances_(board.graph().vertexCount())
 {}
 
-void Carrier::setRoom(std::size_t vertices, std::size_t free)
+std::optional<std::size_t> Carrier::distance(Vertex from, Vertex target)
 {
-    spacing_ = static_cast<CostToGo::Cost>(vertices / free);
+    if (target != target_ || targetLevel_ != open_.level())
+    {
+        target_ = target;
+        targetLevel_ = open_.level();
+        distanceSearch_.begin();
+        distanceSearch_.visit(target, kNoVertex);
+        distances_[target] = 0;
+    }
+    constexpr std::size_t kBetweenPolls = 1024;
+    for (std::size_t i = 1; !distanceSearch_.visited(from); ++i)
+    {
+        if (i % kBetweenPolls == 0 && ptc_())
+            return std::nullopt;
+        const Vertex u = distanceSearch_.next();
+        for (const Vertex w : board_.graph().neighbors(u))
+        {
+            if (distanceSearch_.visited(w) || !open_.isOpen(w))
+                continue;
+            distanceSearch_.visit(w, u);
+            distances_[w] = distances_[u] + 1;
+        }
+    }
+    return distances_[from];
 }
 
 Vertex Carrier::nearestFree(Vertex v, Vertex avoid)
@@ -48,48 +71,44 @@ void Carrier::makeFree(Vertex v, Vertex avoid)
     }
 }
 
+std::size_t Carrier::costOfFreeing(Vertex v, Vertex avoid)
+{
+    std::size_t moves = 0;
+    for (Vertex hole = nearestFree(v, avoid); hole != v; hole = search_.parent(hole))
+        ++moves;
+    return moves;
+}
+
+bool Carrier::isNearer(Vertex v, Vertex than) const
+{
+    return open_.isOpen(v) && distanceSearch_.visited(v) && distances_[v] < distances_[than];
+}
+
+/// Of the neighbours nearer to the target the one that is freed with the fewest moves.
 Vertex Carrier::nextStep(Vertex at)
 {
-    const CostToGo::Cost here = costToGo_.cost(at);
-    Vertex only = kNoVertex;
-    std::size_t nearer = 0;
-    for (const Vertex w : board_.graph().neighbors(at))
-        if (open_.isOpen(w) && costToGo_.cost(w) < here)
-        {
-            only = w;
-            ++nearer;
-        }
-    if (nearer == 1)
-        return only;
-    Vertex best = kNoVertex;
-    std::size_t bestCost = 0;
-    for (const Vertex w : board_.graph().neighbors(at))
+    const auto neighbors = board_.graph().neighbors(at);
+    const auto nearer = [&](Vertex v) { return isNearer(v, at); };
+    auto best = std::find_if(neighbors.begin(), neighbors.end(), nearer);
+    auto next = std::find_if(best + 1, neighbors.end(), nearer);
+    if (next == neighbors.end())
+        return *best;
+    std::size_t fewest = costOfFreeing(*best, at);
+    for (; next != neighbors.end(); next = std::find_if(next + 1, neighbors.end(), nearer))
     {
-        if (!open_.isOpen(w) || costToGo_.cost(w) >= here)
-            continue;
-        std::size_t cost = costToGo_.cost(w);
-        for (Vertex hole = nearestFree(w, at); hole != w; hole = search_.parent(hole))
-            ++cost;
-        if (best == kNoVertex || cost < bestCost)
+        const std::size_t moves = costOfFreeing(*next, at);
+        if (moves < fewest)
         {
-            best = w;
-            bestCost = cost;
+            best = next;
+            fewest = moves;
         }
     }
-    return best;
+    return *best;
 }
 
 bool Carrier::carry(Robot r, Vertex target)
 {
-    if (board_.position(r) == target)
-        return true;
-    if (target != target_ || targetLevel_ != open_.level())
-    {
-        costToGo_.setTarget(target, spacing_);
-        target_ = target;
-        targetLevel_ = open_.level();
-    }
-    if (!costToGo_.find(board_.position(r)))
+    if (!distance(board_.position(r), target))
         return false;
     while (board_.position(r) != target)
     {

@@ -7,13 +7,16 @@
 /// Source: P. Surynek, "A novel approach to path planning for multiple robots in bi-connected graphs",
 /// ICRA 2009.
 
-#include "algorithms/bibox/CostToGo.h"
 #include "algorithms/bibox/OpenGraph.h"
 #include "algorithms/pebble/PebbleBoard.h"
 #include "algorithms/pebble/StampedSearch.h"
+#include "framework/support/TerminationCondition.h"
 
 #include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <span>
+#include <vector>
 
 namespace mrpp
 {
@@ -28,8 +31,9 @@ public:
     [[nodiscard]] OpenGraph &open() { return open_; }
     [[nodiscard]] bool stopped() const { return ptc_(); }
 
-    /// Tells it how many open vertices and how many free ones among them there are, about.
-    void setRoom(std::size_t vertices, std::size_t free);
+    /// Edges on a shortest open path. Nothing where the termination condition came first. O(open vertices
+    /// nearer to the target), in all calls with one target at one level together.
+    [[nodiscard]] std::optional<std::size_t> distance(Vertex from, Vertex target);
 
     /// Brings the nearest open free vertex to v; the robot on `avoid` does not move, nor is anybody moved
     /// onto it. \pre such a free vertex can be reached. O(edges of the vertices nearer than it).
@@ -46,15 +50,18 @@ public:
 private:
     /// The nearest open free vertex; its way to v is in search_.
     [[nodiscard]] Vertex nearestFree(Vertex v, Vertex avoid);
+    [[nodiscard]] std::size_t costOfFreeing(Vertex v, Vertex avoid);
     [[nodiscard]] Vertex nextStep(Vertex at);
+    [[nodiscard]] bool isNearer(Vertex v, Vertex than) const;
 
     PebbleBoard &board_;
     OpenGraph &open_;
     const TerminationCondition &ptc_;
-    CostToGo costToGo_;
-    StampedSearch search_;
-    CostToGo::Cost spacing_ = 0;
-    Vertex target_ = kNoVertex; ///< of costToGo_
+    StampedSearch search_; ///< for a free vertex
+
+    StampedSearch distanceSearch_; ///< from the target, as far as was needed
+    std::vector<std::uint32_t> distances_;
+    Vertex target_ = kNoVertex;
     std::uint32_t targetLevel_ = 0;
 };
 

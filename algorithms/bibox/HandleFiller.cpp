@@ -8,23 +8,16 @@ namespace mrpp
 
 HandleFiller::HandleFiller(Carrier &carrier, std::span<const Robot> goalRobots)
     : carrier_(carrier), board_(carrier.board()), open_(carrier.open()), goalRobots_(goalRobots),
-      freeOpen_(board_.graph().vertexCount() - board_.robotCount()),
-      openVertices_(board_.graph().vertexCount())
+      freeOpen_(board_.graph().vertexCount() - board_.robotCount())
 {}
 
 bool HandleFiller::fill(std::size_t i)
 {
     const auto handle = open_.ears().handle(i);
     line_.assign(handle.begin(), handle.end());
-    carrier_.setRoom(openVertices_, freeOpen_);
     if (!isFilled())
     {
-        orient();
-        order_.clear();
-        for (std::size_t place = line_.size() - 2; place > 0; --place)
-            if (goalRobots_[line_[place]] != kNoRobot)
-                order_.push_back(goalRobots_[line_[place]]);
-        if (!bringInOrder(order_))
+        if (!orient() || !bringInOrder())
             return false;
         while (firstFromY(true) != 0 &&
                (order_.empty() || board_.occupant(line_[firstFromY(true)]) != order_.front()))
@@ -37,7 +30,6 @@ bool HandleFiller::fill(std::size_t i)
     }
     assert(isFilled());
     open_.setLevel(static_cast<std::uint32_t>(i));
-    openVertices_ -= line_.size() - 2;
     for (std::size_t place = 1; place + 1 < line_.size(); ++place)
         freeOpen_ -= board_.isFree(line_[place]) ? 1 : 0;
     return true;
@@ -78,47 +70,92 @@ bool HandleFiller::freeOutside() const
     return static_cast<std::size_t>(inside) < freeOpen_;
 }
 
-/// Robots may enter from either end.
-void HandleFiller::orient() {}
+void HandleFiller::makeOrder()
+{
+    order_.clear();
+    for (std::size_t place = line_.size() - 2; place > 0; --place)
+        if (goalRobots_[line_[place]] != kNoRobot)
+            order_.push_back(goalRobots_[line_[place]]);
+}
 
 /// How many of the first robots of the order are inside, one behind the other.
-std::size_t HandleFiller::countInOrder(std::span<const Robot> order) const
+std::size_t HandleFiller::countInOrder() const
 {
-    if (order.empty())
+    if (order_.empty())
         return 0;
     std::size_t count = 0;
-    for (std::size_t place = placeInside(order.front()); place > 0 && count < order.size(); --place)
+    for (std::size_t place = placeInside(order_.front()); place > 0 && count < order_.size(); --place)
     {
         const Robot r = board_.occupant(line_[place]);
         if (r == kNoRobot)
             continue;
-        if (r != order[count])
+        if (r != order_[count])
             break;
         ++count;
     }
     return count;
 }
 
-bool HandleFiller::bringInOrder(std::span<const Robot> order)
+/// About how many steps, each worth a turn of some cycle, the robots have to make that are to enter at x.
+/// Nothing where the termination condition came first.
+std::optional<std::size_t> HandleFiller::effort()
+{
+    makeOrder();
+    std::size_t steps = 0;
+    for (std::size_t i = countInOrder(); i < order_.size(); ++i)
+    {
+        const std::size_t place = placeInside(order_[i]);
+        if (place != 0) // the first one goes through the handle; the others leave it at y, and all turns back
+        {
+            steps += i == 0 ? place : 2 * (line_.size() - 1 - place);
+            continue;
+        }
+        const auto distance = carrier_.distance(board_.position(order_[i]), x());
+        if (!distance)
+            return std::nullopt;
+        steps += *distance;
+    }
+    return steps;
+}
+
+/// Chooses the end at which robots enter.
+bool HandleFiller::orient()
+{
+    open_.setLevel(open_.level() - 1);
+    const auto forwards = effort();
+    std::reverse(line_.begin(), line_.end());
+    const auto backwards = forwards ? effort() : std::nullopt;
+    open_.setLevel(open_.level() + 1);
+    if (!backwards)
+        return false;
+    if (*forwards <= *backwards)
+    {
+        std::reverse(line_.begin(), line_.end());
+        makeOrder();
+    }
+    return true;
+}
+
+bool HandleFiller::bringInOrder()
 {
     const auto outside = open_.level() - 1;
-    std::size_t count = countInOrder(order);
-    if (count == 0 && !order.empty())
+    std::size_t count = countInOrder();
+    if (count == 0 && !order_.empty())
     {
-        if (!carrier_.carry(order.front(), line_[1]))
+        if (!carrier_.carry(order_.front(), line_[1]))
             return false;
         count = 1;
     }
     open_.setLevel(outside);
-    while (count > 0 && board_.occupant(line_[firstFromX(true)]) != order[count - 1])
+    while (count > 0 && board_.occupant(line_[firstFromX(true)]) != order_[count - 1])
     {
         if (carrier_.stopped())
             return false;
         letOutAtX(kNoVertex);
     }
-    for (; count < order.size(); ++count)
+    for (; count < order_.size(); ++count)
     {
-        const Robot r = order[count];
+        const Robot r = order_[count];
         if (!freeOutside())
             letInAtY();
         if ((placeInside(r) != 0 && !extract(r)) || !carrier_.carry(r, x()))

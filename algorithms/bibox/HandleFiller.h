@@ -2,12 +2,12 @@
 /// \file
 /// Fills one handle x – w1 – … – wl – y with the robots whose goals are there.
 ///
-/// Robots enter at x, the one for wl first, and push those that are inside deeper; whoever is in their way
-/// leaves at y. The robots that are *in order*, those for wl, wl−1, … one behind the other, with nobody but
-/// free vertices between them and with nobody in front of them, grow by one with each that enters; when all
-/// are, they stand at their goals. What the paper calls turning the handle's cycle is then: a free place goes
-/// to y, everybody inside makes one step, and the robot on x enters; but with a free vertex inside nobody
-/// behind it has to move.
+/// Robots enter at x, which is the end from which that looks cheaper, the one for wl first, and push those
+/// that are inside deeper; whoever is in their way leaves at y. The robots that are *in order*, those for wl,
+/// wl−1, … one behind the other, with nobody but free vertices between them and with nobody in front of them,
+/// grow by one with each that enters; when all are, they stand at their goals. What the paper calls turning
+/// the handle's cycle is then: a free place goes to y, everybody inside makes one step, and the robot on x
+/// enters; but with a free vertex inside nobody behind it has to move.
 ///
 /// A robot that is inside but has to enter later is let out at y (*extract*). Where free vertices are too few
 /// for that, robots from x enter behind it meanwhile, and leave at x again, as the paper turns its cycle
@@ -18,6 +18,7 @@
 
 #include "algorithms/bibox/Carrier.h"
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -48,9 +49,11 @@ private:
     [[nodiscard]] bool freeOutside() const;
     [[nodiscard]] bool isFilled() const;
 
-    void orient();
-    [[nodiscard]] std::size_t countInOrder(std::span<const Robot> order) const;
-    [[nodiscard]] bool bringInOrder(std::span<const Robot> order);
+    void makeOrder();
+    [[nodiscard]] std::size_t countInOrder() const;
+    [[nodiscard]] std::optional<std::size_t> effort();
+    [[nodiscard]] bool orient();
+    [[nodiscard]] bool bringInOrder();
     void enter();
     void letInAtX();
     void letInAtY();
@@ -64,7 +67,6 @@ private:
     OpenGraph &open_;
     std::span<const Robot> goalRobots_;
     std::size_t freeOpen_;     ///< free vertices in the open part
-    std::size_t openVertices_; ///< vertices of the open part
     std::vector<Vertex> line_; ///< x, w1, …, wl, y
     std::vector<Robot> order_; ///< the robots for wl, …, w1
 };
