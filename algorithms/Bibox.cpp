@@ -48,6 +48,31 @@ void freeTheCycle(PebbleBoard &goals, const EarDecomposition &ears, std::size_t 
     }
 }
 
+/// \param random for other choices that are about as good; null: the best
+RestartingPlanner::Outcome solveWith(const Instance &instance, const EarDecomposition &ears, Random *random,
+                                     const TerminationCondition &ptc)
+{
+    PebbleBoard goals({instance.graph, instance.goals, {}});
+    freeTheCycle(goals, ears, std::min(instance.freeCount(), ears.cycle().size()));
+    std::vector<Robot> goalRobots(instance.graph->vertexCount());
+    for (Vertex v = 0; v < goalRobots.size(); ++v)
+        goalRobots[v] = goals.occupant(v);
+
+    PebbleBoard board(instance);
+    OpenGraph open(*instance.graph, ears);
+    Carrier carrier(board, open, ptc);
+    HandleFiller filler(carrier, goalRobots, random);
+    for (std::size_t i = ears.handleCount(); i-- > 0;)
+        if (ptc() || !filler.fill(i))
+            return {PlannerStatus::timeout, {}, {}};
+    if (!CycleSorter(carrier, goalRobots).sort())
+        return {PlannerStatus::timeout, {}, {}};
+    const auto finish = goals.moves();
+    for (std::size_t i = finish.size(); i-- > 0;)
+        board.move(finish[i].robot, finish[i].from);
+    return {PlannerStatus::solved, {}, board.takeSolution()};
+}
+
 } // namespace
 
 Bibox::Bibox()
@@ -97,45 +122,37 @@ void Bibox::setup()
     ears_ = std::make_unique<const EarDecomposition>(decompose(0));
 }
 
+/// Others grow from the short cycle or from one through any vertex, with ties broken by chance.
 EarDecomposition Bibox::decompose(std::uint64_t number) const
 {
     const auto growth =
         handles_ == "shortest" ? EarDecomposition::Growth::shortest : EarDecomposition::Growth::depthFirst;
     if (number == 0)
         return {graph(), shortCycle(graph()), growth};
-    Random random(attemptSeed(number));
-    const auto through = static_cast<Vertex>(random.below(graph().vertexCount()));
-    return {graph(), shortestCycleThrough(graph(), through), growth, random.bits()};
+    Random random(deriveSeed(attemptSeed(number), "handles"));
+    std::vector<Vertex> cycle(ears_->cycle().begin(), ears_->cycle().end());
+    if (random.below(2) == 0)
+        cycle = shortestCycleThrough(graph(), static_cast<Vertex>(random.below(graph().vertexCount())));
+    return {graph(), cycle, growth, random.bits()};
 }
 
 RestartingPlanner::Outcome Bibox::attempt(std::uint64_t number, const TerminationCondition &ptc) const
 {
     if (instance().starts == instance().goals)
         return {PlannerStatus::solved, {}, {}};
-    std::optional<EarDecomposition> others;
-    if (number > 0)
-        others.emplace(decompose(number));
-    const EarDecomposition &ears = others ? *others : *ears_;
-
-    PebbleBoard goals({instance().graph, instance().goals, {}});
-    freeTheCycle(goals, ears, std::min(instance().freeCount(), ears.cycle().size()));
-    std::vector<Robot> goalRobots(graph().vertexCount());
-    for (Vertex v = 0; v < goalRobots.size(); ++v)
-        goalRobots[v] = goals.occupant(v);
-
-    PebbleBoard board(instance());
-    OpenGraph open(graph(), ears);
-    Carrier carrier(board, open, ptc);
-    HandleFiller filler(carrier, goalRobots);
-    for (std::size_t i = ears.handleCount(); i-- > 0;)
-        if (ptc() || !filler.fill(i))
-            return {PlannerStatus::timeout, {}, {}};
-    if (!CycleSorter(carrier, goalRobots).sort())
-        return {PlannerStatus::timeout, {}, {}};
-    const auto finish = goals.moves();
-    for (std::size_t i = finish.size(); i-- > 0;)
-        board.move(finish[i].robot, finish[i].from);
-    return {PlannerStatus::solved, {}, board.takeSolution()};
+    if (number == 0)
+        return solveWith(instance(), *ears_, nullptr, ptc);
+    const EarDecomposition ears = decompose(number);
+    Random random(deriveSeed(attemptSeed(number), "ends"));
+    if (random.below(2) == 0)
+        return solveWith(instance(), ears, &random, ptc);
+    // The way back from the goals to the starts, backwards.
+    Outcome back = solveWith({instance().graph, instance().goals, instance().starts}, ears, &random, ptc);
+    std::vector<Move> moves = std::move(back.solution).releaseMoves();
+    std::reverse(moves.begin(), moves.end());
+    for (Move &move : moves)
+        std::swap(move.from, move.to);
+    return {back.status, {}, Solution(std::move(moves))};
 }
 
 } // namespace mrpp

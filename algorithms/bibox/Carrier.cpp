@@ -84,9 +84,11 @@ bool Carrier::isNearer(Vertex v, Vertex than) const
     return open_.isOpen(v) && distanceSearch_.visited(v) && distances_[v] < distances_[than];
 }
 
-/// Of the neighbours nearer to the target the one that is freed with the fewest moves.
+/// Of the neighbours nearer to the target, or the first few of them, the one that is freed with the fewest
+/// moves.
 Vertex Carrier::nextStep(Vertex at)
 {
+    constexpr int kMostCompared = 8;
     const auto neighbors = board_.graph().neighbors(at);
     const auto nearer = [&](Vertex v) { return isNearer(v, at); };
     auto best = std::find_if(neighbors.begin(), neighbors.end(), nearer);
@@ -94,7 +96,7 @@ Vertex Carrier::nextStep(Vertex at)
     if (next == neighbors.end())
         return *best;
     std::size_t fewest = costOfFreeing(*best, at);
-    for (; next != neighbors.end(); next = std::find_if(next + 1, neighbors.end(), nearer))
+    for (int i = 1; i < kMostCompared && next != neighbors.end(); ++i)
     {
         const std::size_t moves = costOfFreeing(*next, at);
         if (moves < fewest)
@@ -102,6 +104,7 @@ Vertex Carrier::nextStep(Vertex at)
             best = next;
             fewest = moves;
         }
+        next = std::find_if(next + 1, neighbors.end(), nearer);
     }
     return *best;
 }

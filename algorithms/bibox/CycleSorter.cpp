@@ -40,7 +40,7 @@ std::vector<std::size_t> longestAscending(std::span<const std::size_t> keys)
 CycleSorter::CycleSorter(Carrier &carrier, std::span<const Robot> goalRobots)
     : carrier_(carrier), board_(carrier.board()), goalRobots_(goalRobots),
       cycle_(carrier.open().ears().cycle()), places_(board_.graph().vertexCount(), 0),
-      goalPlaces_(board_.robotCount(), 0)
+      goalPlaces_(board_.robotCount(), 0), waiting_(board_.robotCount(), 0)
 {
     for (std::size_t i = 0; i < cycle_.size(); ++i)
     {
@@ -56,7 +56,9 @@ bool CycleSorter::sort()
     if (waiting.empty())
         return align();
 
-    const Pocket pocket = findPocket(waiting);
+    for (const Robot r : waiting)
+        waiting_[r] = 1;
+    const Pocket pocket = findPocket(waiting.front());
     const Robot guest = board_.occupant(pocket.vertex);
     if (guest != kNoRobot)
     {
@@ -65,10 +67,8 @@ bool CycleSorter::sort()
     }
     while (!waiting.empty())
     {
-        const std::size_t i = nearestTo(pocket.place, waiting);
-        const Robot r = waiting[i];
-        waiting.erase(waiting.begin() + static_cast<std::ptrdiff_t>(i));
-        if (!insert(r, successor(r, waiting), pocket))
+        const Robot r = takeNearest(pocket.place, waiting);
+        if (!insert(r, successor(r), pocket))
             return false;
     }
     if (guest != kNoRobot)
@@ -101,7 +101,7 @@ std::vector<Robot> CycleSorter::misplaced() const
     const std::size_t stride = robots.size() / kTries + 1;
     std::vector<Robot> best = robots;
     std::vector<std::size_t> keys(robots.size());
-    for (std::size_t first = 0; first < robots.size(); first += stride)
+    for (std::size_t first = 0; first < robots.size() && !carrier_.stopped(); first += stride)
     {
         for (std::size_t i = 0; i < robots.size(); ++i)
             keys[i] = (goalPlaces_[robots[(first + i) % robots.size()]] + cycle_.size() -
@@ -118,8 +118,15 @@ std::vector<Robot> CycleSorter::misplaced() const
     return best;
 }
 
-/// One that is free if there is one, else the nearest to one who has to use it.
-CycleSorter::Pocket CycleSorter::findPocket(std::span<const Robot> misplaced) const
+/// The shorter way around, in steps.
+std::size_t CycleSorter::distance(std::size_t a, std::size_t b) const
+{
+    const std::size_t ahead = (a + cycle_.size() - b) % cycle_.size();
+    return std::min(ahead, cycle_.size() - ahead);
+}
+
+/// One that is free if there is one, else the nearest to the first robot that has to use it.
+CycleSorter::Pocket CycleSorter::findPocket(Robot user) const
 {
     Pocket best;
     std::pair<bool, std::size_t> bestKey;
@@ -128,9 +135,7 @@ CycleSorter::Pocket CycleSorter::findPocket(std::span<const Robot> misplaced) co
         {
             if (carrier_.open().isOpen(v))
                 continue;
-            const Robot nearest = misplaced[nearestTo(i, misplaced)];
-            const std::size_t ahead = (place(nearest) + cycle_.size() - i) % cycle_.size();
-            const std::pair<bool, std::size_t> key(!board_.isFree(v), std::min(ahead, cycle_.size() - ahead));
+            const std::pair<bool, std::size_t> key(!board_.isFree(v), distance(place(user), i));
             if (best.vertex == kNoVertex || key < bestKey)
             {
                 best = {i, v};
@@ -141,26 +146,23 @@ CycleSorter::Pocket CycleSorter::findPocket(std::span<const Robot> misplaced) co
     return best;
 }
 
-std::size_t CycleSorter::nearestTo(std::size_t place, std::span<const Robot> robots) const
+Robot CycleSorter::takeNearest(std::size_t place, std::vector<Robot> &robots) const
 {
-    const auto distance = [&](Robot r)
-    {
-        const std::size_t ahead = (this->place(r) + cycle_.size() - place) % cycle_.size();
-        return std::min(ahead, cycle_.size() - ahead);
-    };
-    return static_cast<std::size_t>(std::min_element(robots.begin(), robots.end(),
-                                                     [&](Robot a, Robot b)
-                                                     { return distance(a) < distance(b); }) -
-                                    robots.begin());
+    const auto nearest = std::min_element(
+        robots.begin(), robots.end(),
+        [&](Robot a, Robot b) { return distance(this->place(a), place) < distance(this->place(b), place); });
+    const Robot r = *nearest;
+    robots.erase(nearest);
+    return r;
 }
 
 /// The next robot behind the goal of r that is on the cycle to stay.
-Robot CycleSorter::successor(Robot r, std::span<const Robot> waiting) const
+Robot CycleSorter::successor(Robot r) const
 {
     for (std::size_t i = 1; i < cycle_.size(); ++i)
     {
         const Robot next = goalRobots_[at(goalPlaces_[r] + i)];
-        if (next != kNoRobot && std::find(waiting.begin(), waiting.end(), next) == waiting.end())
+        if (next != kNoRobot && waiting_[next] == 0)
             return next;
     }
     return kNoRobot;
@@ -176,6 +178,7 @@ bool CycleSorter::insert(Robot r, Robot before, const Pocket &pocket)
         return false;
     carrier_.makeFree(at(pocket.place), at(pocket.place + 1));
     board_.move(r, at(pocket.place));
+    waiting_[r] = 0;
     return true;
 }
 

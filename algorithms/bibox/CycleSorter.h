@@ -43,9 +43,10 @@ private:
     [[nodiscard]] std::size_t place(Robot r) const { return places_[board_.position(r)]; }
     [[nodiscard]] std::vector<Robot> robotsFrom(std::size_t place) const;
     [[nodiscard]] std::vector<Robot> misplaced() const;
-    [[nodiscard]] Pocket findPocket(std::span<const Robot> misplaced) const;
-    [[nodiscard]] Robot successor(Robot r, std::span<const Robot> waiting) const;
-    [[nodiscard]] std::size_t nearestTo(std::size_t place, std::span<const Robot> robots) const;
+    [[nodiscard]] std::size_t distance(std::size_t a, std::size_t b) const;
+    [[nodiscard]] Pocket findPocket(Robot user) const;
+    [[nodiscard]] Robot takeNearest(std::size_t place, std::vector<Robot> &robots) const;
+    [[nodiscard]] Robot successor(Robot r) const;
     [[nodiscard]] bool insert(Robot r, Robot before, const Pocket &pocket);
     [[nodiscard]] bool align();
 
@@ -55,6 +56,7 @@ private:
     std::span<const Vertex> cycle_;
     std::vector<std::size_t> places_;     ///< of the vertices of the cycle; size = vertices
     std::vector<std::size_t> goalPlaces_; ///< of the robots that belong on the cycle; size = robots
+    std::vector<char> waiting_;           ///< nonzero for robots that are still to be inserted; size = robots
 };
 
 } // namespace mrpp

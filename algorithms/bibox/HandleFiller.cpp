@@ -6,15 +6,15 @@
 namespace mrpp
 {
 
-HandleFiller::HandleFiller(Carrier &carrier, std::span<const Robot> goalRobots)
+HandleFiller::HandleFiller(Carrier &carrier, std::span<const Robot> goalRobots, Random *random)
     : carrier_(carrier), board_(carrier.board()), open_(carrier.open()), goalRobots_(goalRobots),
-      freeOpen_(board_.graph().vertexCount() - board_.robotCount())
+      random_(random), freeOpen_(board_.graph().vertexCount() - board_.robotCount()),
+      places_(board_.graph().vertexCount(), 0)
 {}
 
 bool HandleFiller::fill(std::size_t i)
 {
-    const auto handle = open_.ears().handle(i);
-    line_.assign(handle.begin(), handle.end());
+    setLine(open_.ears().handle(i));
     if (!isFilled())
     {
         if (!orient() || !bringInOrder())
@@ -43,8 +43,9 @@ bool HandleFiller::isFilled() const
 
 std::size_t HandleFiller::placeInside(Robot r) const
 {
-    const auto found = std::find(line_.begin() + 1, line_.end() - 1, board_.position(r));
-    return found == line_.end() - 1 ? 0 : static_cast<std::size_t>(found - line_.begin());
+    const Vertex v = board_.position(r);
+    const std::size_t place = places_[v];
+    return place + 1 < line_.size() && line_[place] == v ? place : 0;
 }
 
 std::size_t HandleFiller::firstFromX(bool occupied) const
@@ -70,12 +71,17 @@ bool HandleFiller::freeOutside() const
     return static_cast<std::size_t>(inside) < freeOpen_;
 }
 
-void HandleFiller::makeOrder()
+void HandleFiller::setLine(std::span<const Vertex> line)
 {
+    line_.assign(line.begin(), line.end());
     order_.clear();
-    for (std::size_t place = line_.size() - 2; place > 0; --place)
-        if (goalRobots_[line_[place]] != kNoRobot)
+    for (std::size_t place = line_.size() - 1; place > 0; --place)
+    {
+        places_[line_[place]] = place;
+        if (place + 1 < line_.size() && goalRobots_[line_[place]] != kNoRobot)
             order_.push_back(goalRobots_[line_[place]]);
+    }
+    places_[x()] = 0;
 }
 
 /// How many of the first robots of the order are inside, one behind the other.
@@ -100,7 +106,6 @@ std::size_t HandleFiller::countInOrder() const
 /// Nothing where the termination condition came first.
 std::optional<std::size_t> HandleFiller::effort()
 {
-    makeOrder();
     std::size_t steps = 0;
     for (std::size_t i = countInOrder(); i < order_.size(); ++i)
     {
@@ -121,18 +126,19 @@ std::optional<std::size_t> HandleFiller::effort()
 /// Chooses the end at which robots enter.
 bool HandleFiller::orient()
 {
+    const std::vector<Vertex> line = line_;
     open_.setLevel(open_.level() - 1);
     const auto forwards = effort();
-    std::reverse(line_.begin(), line_.end());
+    setLine(std::vector<Vertex>(line.rbegin(), line.rend()));
     const auto backwards = forwards ? effort() : std::nullopt;
     open_.setLevel(open_.level() + 1);
     if (!backwards)
         return false;
-    if (*forwards <= *backwards)
-    {
-        std::reverse(line_.begin(), line_.end());
-        makeOrder();
-    }
+    constexpr std::size_t kPercent = 100;
+    constexpr std::size_t kNearlyEqual = 10; // percent
+    const std::size_t change = random_ != nullptr ? random_->below(2 * kNearlyEqual + 1) : kNearlyEqual;
+    if (*forwards * kPercent <= *backwards * (kPercent - kNearlyEqual + change))
+        setLine(line);
     return true;
 }
 

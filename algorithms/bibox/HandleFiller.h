@@ -28,9 +28,10 @@ namespace mrpp
 class HandleFiller
 {
 public:
-    /// Keeps references to both.
+    /// Keeps references to all of them.
     /// \param goalRobots the robot whose goal a vertex is, or kNoRobot; size = vertices
-    HandleFiller(Carrier &carrier, std::span<const Robot> goalRobots);
+    /// \param random chooses between ends that look about equally cheap; null: the cheaper one
+    HandleFiller(Carrier &carrier, std::span<const Robot> goalRobots, Random *random = nullptr);
 
     /// Fills handle i, and closes the open part down to level i. False where the termination condition came
     /// first.
@@ -49,7 +50,7 @@ private:
     [[nodiscard]] bool freeOutside() const;
     [[nodiscard]] bool isFilled() const;
 
-    void makeOrder();
+    void setLine(std::span<const Vertex> line);
     [[nodiscard]] std::size_t countInOrder() const;
     [[nodiscard]] std::optional<std::size_t> effort();
     [[nodiscard]] bool orient();
@@ -66,9 +67,11 @@ private:
     PebbleBoard &board_;
     OpenGraph &open_;
     std::span<const Robot> goalRobots_;
-    std::size_t freeOpen_;     ///< free vertices in the open part
-    std::vector<Vertex> line_; ///< x, w1, …, wl, y
-    std::vector<Robot> order_; ///< the robots for wl, …, w1
+    Random *random_;
+    std::size_t freeOpen_;            ///< free vertices in the open part
+    std::vector<Vertex> line_;        ///< x, w1, …, wl, y
+    std::vector<Robot> order_;        ///< the robots for wl, …, w1
+    std::vector<std::size_t> places_; ///< in line_, of its vertices; anything for others; size = vertices
 };
 
 } // namespace mrpp

@@ -1,15 +1,21 @@
 /// \file
-/// Push and Swap and redundancy removal on grids. `BFS` is time ÷ one breadth-first search of the same graph,
-/// which compares across machines; `ratio` is moves ÷ the sum of the shortest distances.
+/// Push and Swap and redundancy removal on grids, BIBOX on its generator's graphs. `BFS` is time ÷ one
+/// breadth-first search of the same graph, which compares across machines; `ratio` is moves ÷ the sum of the
+/// shortest distances.
 
+#include "algorithms/Bibox.h"
 #include "algorithms/PushAndSwap.h"
 #include "algorithms/optimizers/RedundancyRemoval.h"
 #include "framework/Problem.h"
+#include "framework/analysis/EarDecomposition.h"
 #include "framework/analysis/LowerBounds.h"
+#include "problems/generators/Biconnected.h"
 #include "tests/benchmarks/BfsUnit.h"
 #include "tests/support/RandomCases.h"
 
 #include <benchmark/benchmark.h>
+
+#include <algorithm>
 
 namespace mrpp
 {
@@ -45,6 +51,54 @@ BENCHMARK(pushAndSwap)
     ->Args({400, 1})
     ->Args({400, 10})
     ->Unit(benchmark::kMillisecond);
+
+std::shared_ptr<const Graph> biconnectedGraph(std::int64_t size)
+{
+    Biconnected generator;
+    for (const char *name : {"initial_cycle", "handles", "max_handle_length"})
+        generator.parameters().set(name, std::to_string(size));
+    return generator.makeGraph(1);
+}
+
+/// Arguments: first cycle, handles and longest handle of the graph; free vertices per 1000, at least two.
+void bibox(benchmark::State &state)
+{
+    const auto graph = biconnectedGraph(state.range(0));
+    const std::size_t free = graph->vertexCount() * static_cast<std::size_t>(state.range(1)) / 1000;
+    const std::size_t robots = graph->vertexCount() - std::max<std::size_t>(2, free);
+    Bibox planner;
+    planner.setInstance(std::make_shared<Instance>(randomInstance(graph, robots, 1)));
+    planner.setup();
+    const test::BfsUnit unit(*graph);
+    for (auto _ : state)
+    {
+        if (planner.solve({}) != PlannerStatus::solved)
+            state.SkipWithError("not solved");
+    }
+    unit.report(state);
+    state.counters["robots"] = static_cast<double>(robots);
+    state.counters["moves"] = static_cast<double>(planner.solution().pathLength());
+}
+BENCHMARK(bibox)
+    ->Args({10, 0})
+    ->Args({20, 0})
+    ->Args({50, 0})
+    ->Args({20, 100})
+    ->Args({20, 500})
+    ->Args({100, 20})
+    ->Unit(benchmark::kMillisecond);
+
+/// Argument: side of the grid.
+void earDecomposition(benchmark::State &state)
+{
+    const auto side = static_cast<std::size_t>(state.range(0));
+    const auto graph = test::gridGraph(side, side);
+    const test::BfsUnit unit(*graph);
+    for (auto _ : state)
+        benchmark::DoNotOptimize(EarDecomposition(*graph, shortCycle(*graph)).handleCount());
+    unit.report(state);
+}
+BENCHMARK(earDecomposition)->Arg(100)->Arg(300)->Arg(1000)->Unit(benchmark::kMillisecond);
 
 /// Argument: number of moves.
 void redundancyRemoval(benchmark::State &state)
