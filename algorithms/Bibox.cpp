@@ -15,8 +15,9 @@ namespace
 {
 
 /// Moves robots (that is, goals) until `count` vertices of the first cycle are free, each time by a shortest
-/// path from a free vertex elsewhere.
-void freeTheCycle(PebbleBoard &goals, const EarDecomposition &ears, std::size_t count)
+/// path from a free vertex elsewhere. False where the termination condition came first.
+bool freeTheCycle(PebbleBoard &goals, const EarDecomposition &ears, std::size_t count,
+                  const TerminationCondition &ptc)
 {
     const Graph &graph = goals.graph();
     std::size_t free = 0;
@@ -25,6 +26,8 @@ void freeTheCycle(PebbleBoard &goals, const EarDecomposition &ears, std::size_t 
     StampedSearch search(graph.vertexCount());
     for (; free < count; ++free)
     {
+        if (ptc())
+            return false;
         search.begin();
         for (const Vertex v : ears.cycle())
             if (!goals.isFree(v))
@@ -46,6 +49,7 @@ void freeTheCycle(PebbleBoard &goals, const EarDecomposition &ears, std::size_t 
             hole = behind;
         }
     }
+    return true;
 }
 
 /// \param random for other choices that are about as good; null: the best
@@ -53,7 +57,8 @@ RestartingPlanner::Outcome solveWith(const Instance &instance, const EarDecompos
                                      const TerminationCondition &ptc)
 {
     PebbleBoard goals({instance.graph, instance.goals, {}});
-    freeTheCycle(goals, ears, std::min(instance.freeCount(), ears.cycle().size()));
+    if (!freeTheCycle(goals, ears, std::min(instance.freeCount(), ears.cycle().size()), ptc))
+        return {PlannerStatus::timeout, {}, {}};
     std::vector<Robot> goalRobots(instance.graph->vertexCount());
     for (Vertex v = 0; v < goalRobots.size(); ++v)
         goalRobots[v] = goals.occupant(v);
@@ -142,7 +147,12 @@ RestartingPlanner::Outcome Bibox::attempt(std::uint64_t number, const Terminatio
         return {PlannerStatus::solved, {}, {}};
     if (number == 0)
         return solveWith(instance(), *ears_, nullptr, ptc);
-    const EarDecomposition ears = decompose(number);
+    // Decomposing a larger graph could take longer than planners may go on without looking at the clock.
+    constexpr std::size_t kQuicklyDecomposed = 20'000; // vertices
+    std::optional<EarDecomposition> others;
+    if (graph().vertexCount() <= kQuicklyDecomposed)
+        others.emplace(decompose(number));
+    const EarDecomposition &ears = others ? *others : *ears_;
     Random random(deriveSeed(attemptSeed(number), "ends"));
     if (random.below(2) == 0)
         return solveWith(instance(), ears, &random, ptc);

@@ -249,30 +249,40 @@ TEST(Bibox, RestartsFindShorterSolutions)
 
 TEST(Bibox, StopsWithinFiftyMilliseconds)
 {
-    const std::vector<Instance> instances = {randomInstance(test::gridGraph(316, 316), 316 * 316 - 2, 1),
-                                             published(1000, 200, 1000, 2, 1),
-                                             published(50'000, 1, 100'000, 2, 1),
-                                             published(3, 60'000, 3, 2, 1),
-                                             published(50, 50, 50, 2, 1),
-                                             randomInstance(test::gridGraph(316, 316), 50'000, 1)};
-    for (std::size_t i = 0; i < instances.size(); ++i)
-    {
-        Bibox planner;
-        planner.setInstance(std::make_shared<Instance>(instances[i]));
-        planner.setup();
-        for (const double limit : {0.001, 0.1})
+    const std::vector<std::shared_ptr<const Graph>> graphs = {
+        test::gridGraph(316, 316), test::cycleWithHandles(1000, 200, 1000, 1),
+        test::cycleWithHandles(50'000, 1, 100'000, 2), test::cycleWithHandles(3, 60'000, 3, 3),
+        test::cycleWithHandles(50, 50, 50, 4)};
+    for (std::size_t i = 0; i < graphs.size(); ++i)
+        for (const std::size_t free : {std::size_t{2}, graphs[i]->vertexCount() / 2})
         {
-            const double begin = test::cpuSeconds();
-            const PlannerStatus status = planner.solve(
-                TerminationCondition::when([&] { return test::cpuSeconds() - begin >= limit; }));
-            const double seconds = test::cpuSeconds() - begin;
-            if (status != PlannerStatus::solved)
+            Bibox planner;
+            planner.parameters().set("restarts", "2");
+            planner.parameters().set("threads", "1"); // so that processor time is time
+            planner.setInstance(
+                std::make_shared<Instance>(randomInstance(graphs[i], graphs[i]->vertexCount() - free, 1)));
+            planner.setup();
+            for (const double limit : {0.001, 0.1})
             {
-                EXPECT_EQ(status, PlannerStatus::timeout);
-                EXPECT_LT(seconds, limit + 0.05) << "instance " << i;
+                const double begin = test::cpuSeconds();
+                const PlannerStatus status = planner.solve(
+                    TerminationCondition::when([&] { return test::cpuSeconds() - begin >= limit; }));
+                const double seconds = test::cpuSeconds() - begin;
+                if (seconds >= limit)
+                {
+                    EXPECT_LT(seconds, limit + 0.05) << "graph " << i << ", " << free << " free";
+                }
+                EXPECT_TRUE(status == PlannerStatus::timeout || status == PlannerStatus::solved);
             }
         }
-    }
+}
+
+/// The largest of the published sizes, on 98 of 100 vertices a robot.
+TEST(Bibox, SolvesFiveThousandVerticesInSeconds)
+{
+    const Answer answer = plan(published(100, 100, 100, 102, 1), {}, 300);
+    ASSERT_EQ(answer.status, PlannerStatus::solved);
+    EXPECT_LT(answer.solution.pathLength(), 30'000'000U); // 12 bytes each
 }
 
 } // namespace

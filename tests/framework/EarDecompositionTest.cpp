@@ -21,29 +21,6 @@ using ::testing::UnorderedElementsAre;
 
 using Growth = EarDecomposition::Growth;
 
-/// A cycle with handles whose ends and lengths (1 … longest inner vertices) are random.
-std::shared_ptr<const Graph> randomBiconnected(std::size_t cycle, std::size_t handles, std::size_t longest,
-                                               Seed seed)
-{
-    Random random(seed);
-    std::vector<Graph::Edge> edges;
-    for (Vertex v = 0; v < cycle; ++v)
-        edges.push_back({v, static_cast<Vertex>((v + 1) % cycle)});
-    auto vertices = static_cast<Vertex>(cycle);
-    for (std::size_t i = 0; i < handles; ++i)
-    {
-        auto from = static_cast<Vertex>(random.below(vertices));
-        const auto to = static_cast<Vertex>((from + 1 + random.below(vertices - 1)) % vertices);
-        for (std::size_t inner = 1 + random.below(longest); inner > 0; --inner)
-        {
-            edges.push_back({from, vertices});
-            from = vertices++;
-        }
-        edges.push_back({from, to});
-    }
-    return Graph::fromEdges(vertices, edges);
-}
-
 /// Says what is wrong; nothing where it is a decomposition.
 std::string defect(const Graph &graph, const EarDecomposition &ears, std::span<const Vertex> cycle)
 {
@@ -102,7 +79,7 @@ TEST(EarDecomposition, OfLargeRandomGraphsIsOne)
 {
     for (Seed seed = 1; seed <= 30; ++seed)
     {
-        const auto graph = randomBiconnected(3 + seed % 7, 500, 1 + seed % 12, seed);
+        const auto graph = test::cycleWithHandles(3 + seed % 7, 500, 1 + seed % 12, seed);
         const auto cycle = seed % 2 == 0 ? shortCycle(*graph) : shortestCycleThrough(*graph, 100);
         for (const Growth growth : {Growth::shortest, Growth::depthFirst})
             ASSERT_EQ(defect(*graph, EarDecomposition(*graph, cycle, growth, seed), cycle), "");
@@ -159,8 +136,9 @@ TEST(EarDecomposition, ShortestCyclesThroughAVertex)
 TEST(EarDecomposition, OfLargeGraphsTakesLittleTime)
 {
     std::vector<std::shared_ptr<const Graph>> graphs = {
-        test::gridGraph(320, 320), randomBiconnected(1000, 200, 1000, 1), randomBiconnected(3, 60'000, 3, 2),
-        randomBiconnected(50'000, 1, 50'000, 3), randomBiconnected(100'000, 1000, 1, 4)};
+        test::gridGraph(320, 320), test::cycleWithHandles(1000, 200, 1000, 1),
+        test::cycleWithHandles(3, 60'000, 3, 2), test::cycleWithHandles(50'000, 1, 50'000, 3),
+        test::cycleWithHandles(100'000, 1000, 1, 4)};
     for (const auto &graph : graphs)
         for (const Growth growth : {Growth::shortest, Growth::depthFirst})
         {

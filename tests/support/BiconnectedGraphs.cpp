@@ -37,21 +37,6 @@ void addPath(Edges &edges, Vertex from, Vertex to, std::size_t inner, Vertex &ne
     edges.push_back({from, to});
 }
 
-std::shared_ptr<const Graph> cycleWithHandles(Random &random)
-{
-    Edges edges;
-    Vertex next = 1;
-    addPath(edges, 0, 0, 2 + random.below(9), next);
-    const std::size_t longest = 1 + random.below(6);
-    for (std::size_t handles = 1 + random.below(10); handles > 0; --handles)
-    {
-        const auto from = static_cast<Vertex>(random.below(next));
-        const auto to = static_cast<Vertex>((from + 1 + random.below(next - 1)) % next);
-        addPath(edges, from, to, 1 + random.below(longest), next);
-    }
-    return shuffled(next, edges, random);
-}
-
 std::shared_ptr<const Graph> theta(Random &random)
 {
     Edges edges;
@@ -141,7 +126,8 @@ std::shared_ptr<const Graph> make(Random &random, std::size_t kind)
     switch (kind)
     {
     case 0:
-        return cycleWithHandles(random);
+        return cycleWithHandles(3 + random.below(9), 1 + random.below(10), 1 + random.below(6),
+                                random.bits());
     case 1:
         return theta(random);
     case 2:
@@ -171,6 +157,22 @@ bool isBiconnected(const Graph &graph)
     const Blocks blocks(graph);
     return graph.vertexCount() >= 3 && blocks.count() == 1 &&
            blocks.vertices(0).size() == graph.vertexCount();
+}
+
+std::shared_ptr<const Graph> cycleWithHandles(std::size_t cycle, std::size_t handles, std::size_t longest,
+                                              Seed seed)
+{
+    Random random(seed);
+    Edges edges;
+    Vertex next = 1;
+    addPath(edges, 0, 0, cycle - 1, next);
+    for (std::size_t i = 0; i < handles; ++i)
+    {
+        const auto from = static_cast<Vertex>(random.below(next));
+        const auto to = static_cast<Vertex>((from + 1 + random.below(next - 1)) % next);
+        addPath(edges, from, to, 1 + random.below(longest), next);
+    }
+    return shuffled(next, edges, random);
 }
 
 std::shared_ptr<const Graph> randomBiconnectedGraph(Seed seed)
