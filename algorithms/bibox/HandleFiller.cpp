@@ -126,6 +126,8 @@ std::optional<std::size_t> HandleFiller::effort()
 /// Chooses the end at which robots enter.
 bool HandleFiller::orient()
 {
+    if (line_.size() == 3) // one vertex inside, to which a robot comes from either end
+        return true;
     const std::vector<Vertex> line = line_;
     open_.setLevel(open_.level() - 1);
     const auto forwards = effort();
