@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cstddef>
 #include <span>
 #include <utility>
 #include <vector>
@@ -84,6 +85,33 @@ public:
         }
     }
 
+    /// Takes back every move after the mark and gives them away, for replay().
+    [[nodiscard]] Solution cut(Mark mark)
+    {
+        std::vector<Solution::Rotation> rotations(rotations_.begin() + rotationsBefore(mark),
+                                                  rotations_.end());
+        for (Solution::Rotation &rotation : rotations)
+            rotation.first -= mark;
+        Solution moves({moves_.begin() + static_cast<std::ptrdiff_t>(mark), moves_.end()},
+                       std::move(rotations));
+        rollback(mark);
+        return moves;
+    }
+
+    /// Makes the moves again. \pre the board is as it was before them
+    void replay(const Solution &moves)
+    {
+        moves.forEachAction(
+            [this](std::span<const Move> action)
+            {
+                if (action.size() == 1)
+                    return move(action.front().robot, action.front().to);
+                const std::size_t first = moves_.size();
+                moves_.insert(moves_.end(), action.begin(), action.end());
+                finishRotation(first);
+            });
+    }
+
     /// *Reverse*: undoes the moves [first, last) by new moves, last one first, with the names of r and s
     /// exchanged: everybody but these two comes back to where they stood at `first`. A rotation is turned
     /// back.
@@ -126,6 +154,14 @@ private:
     {
         positions_[r] = v;
         occupants_[v] = r;
+    }
+
+    /// How many rotations there were at the mark.
+    [[nodiscard]] std::ptrdiff_t rotationsBefore(Mark mark) const
+    {
+        return std::partition_point(rotations_.begin(), rotations_.end(),
+                                    [mark](const Solution::Rotation &done) { return done.first < mark; }) -
+               rotations_.begin();
     }
 
     /// Makes the moves from `first` on, which were only recorded so far, one rotation.
