@@ -98,12 +98,15 @@ public:
         return moves;
     }
 
-    /// Makes the moves again. \pre the board is as it was before them
+    /// Makes the moves again. Where one of them undoes the last one made before, takes that one back instead;
+    /// marks do not hold any more then. \pre the board is as it was before the moves
     void replay(const Solution &moves)
     {
         moves.forEachAction(
             [this](std::span<const Move> action)
             {
+                if (undoesLast(action))
+                    return rollback(moves_.size() - action.size());
                 if (action.size() == 1)
                     return move(action.front().robot, action.front().to);
                 const std::size_t first = moves_.size();
@@ -154,6 +157,32 @@ private:
     {
         positions_[r] = v;
         occupants_[v] = r;
+    }
+
+    /// Whether the action takes everybody back to where they were before the last one.
+    [[nodiscard]] bool undoesLast(std::span<const Move> action) const
+    {
+        const bool rotated =
+            !rotations_.empty() && rotations_.back().first + rotations_.back().size == moves_.size();
+        const std::size_t size = rotated ? rotations_.back().size : 1;
+        if (action.size() != size || moves_.size() < size)
+            return false;
+        const auto last = std::span(moves_).last(size);
+        const auto isUndone = [](const Move &done, const Move &now)
+        { return done.robot == now.robot && done.from == now.to; };
+        // The last one's cycle, backwards from its first move.
+        const auto begin = std::find_if(action.begin(), action.end(),
+                                        [&](const Move &now) { return isUndone(last.front(), now); });
+        if (begin == action.end())
+            return false;
+        auto now = static_cast<std::size_t>(begin - action.begin());
+        for (std::size_t i = size; i-- > 1;)
+        {
+            now = now + 1 == size ? 0 : now + 1;
+            if (!isUndone(last[i], action[now]))
+                return false;
+        }
+        return true;
     }
 
     /// How many rotations there were at the mark.

@@ -97,14 +97,15 @@ bool PebbleOperations::isJunctionOf(Robot r, Vertex v) const
     return graph_.degree(v) >= 3 && (subgraphs_ == nullptr || subgraphs_->of(v) == assignment_[r]);
 }
 
-bool PebbleOperations::swap(Robot r, Robot s)
+bool PebbleOperations::swap(Robot r, Robot s, const SwapLimits &limits)
 {
     if (!canSwap(r, s))
         return false;
     junctionSearch_.begin();
     junctionSearch_.visit(board_.position(r), kNoVertex);
     junctionSearch_.visit(board_.position(s), kNoVertex);
-    while (!junctionSearch_.done())
+    std::size_t tried = 0;
+    while (!junctionSearch_.done() && tried < limits.junctions)
     {
         const Vertex junction = junctionSearch_.next();
         forNeighbors(junction,
@@ -122,6 +123,10 @@ bool PebbleOperations::swap(Robot r, Robot s)
         for (Vertex v = junction; v != kNoVertex; v = junctionSearch_.parent(v))
             path_.push_back(v);
         std::reverse(path_.begin(), path_.end());
+        // Two moves for each edge of the way there, as many back, and six for the exchange.
+        if (4 * path_.size() + 2 > limits.moves)
+            return false;
+        ++tried;
         const Robot leader = path_.front() == board_.position(r) ? r : s;
         const Robot follower = leader == r ? s : r;
 

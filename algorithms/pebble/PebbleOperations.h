@@ -16,6 +16,7 @@
 #include "framework/support/TerminationCondition.h"
 
 #include <initializer_list>
+#include <limits>
 #include <vector>
 
 namespace mrpp
@@ -61,7 +62,16 @@ public:
     /// together to a vertex of degree three or more (multipush), its neighbourhood is cleared, they exchange
     /// there, and what led there is reversed. The nearest such vertices are tried first. False where none
     /// works, or where the termination condition says stop.
-    bool swap(Robot r, Robot s);
+    bool swap(Robot r, Robot s) { return swap(r, s, {}); }
+
+    /// How far a swap looks.
+    struct SwapLimits
+    {
+        /// Only at vertices where it may take so few moves.
+        std::size_t moves = std::numeric_limits<std::size_t>::max();
+        std::size_t junctions = std::numeric_limits<std::size_t>::max(); ///< at most so many vertices
+    };
+    bool swap(Robot r, Robot s, const SwapLimits &limits);
 
     /// *Rotate*: every robot on the cycle goes one vertex on, from cycle[i] to cycle[i+1] and from the last
     /// to the first. On a full cycle one robot is pushed off first, and comes back by a swap. All other

@@ -12,14 +12,25 @@ namespace
 /// A full cycle of more vertices is not turned for a single step of one robot.
 constexpr std::size_t kLongestTurn = 16;
 
-/// So many ways to swap a pair are compared; more are tried only while none works.
-constexpr std::size_t kEnoughTries = 8;
+/// So many ways to swap a pair are compared, or as many as take so many moves; more are tried only while none
+/// works.
+constexpr std::size_t kEnoughTries = 16;
+constexpr std::size_t kEnoughMoves = 2000;
+
+std::vector<Vertex> positions(const PebbleBoard &board)
+{
+    std::vector<Vertex> list(board.robotCount());
+    for (Robot r = 0; r < board.robotCount(); ++r)
+        list[r] = board.position(r);
+    return list;
+}
 
 } // namespace
 
 SpinOperations::SpinOperations(PebbleBoard &board, const Blocks &blocks, const TerminationCondition &ptc)
-    : board_(board), graph_(board.graph()), blocks_(blocks), ptc_(ptc), pebble_(board, ptc), cycles_(graph_),
-      siteSearch_(graph_.vertexCount()), freeSearch_(graph_.vertexCount()), held_(board.robotCount(), 0)
+    : board_(board), graph_(board.graph()), blocks_(blocks), ptc_(ptc), pebble_(board, ptc),
+      free_(blocks, positions(board)), cycles_(graph_), siteSearch_(graph_.vertexCount()),
+      freeSearch_(graph_.vertexCount()), held_(board.robotCount(), 0)
 {}
 
 bool SpinOperations::push(Robot r, Vertex v, const std::vector<char> *stay)
@@ -74,21 +85,50 @@ bool SpinOperations::swap(Robot r, Robot s)
     if (!canSwap(r, s))
         return false;
     found_ = false;
+    tries_ = spent_ = 0;
+    // An exchange needs two free vertices, and where there is room it is the cheapest.
+    const bool canExchange = free_.inComponent(board_.position(r)) >= 2;
+    if (canExchange)
+        exchangeAtJunction({r, s}, {.junctions = 4});
     if (!blocks_.isBridge(board_.position(r), board_.position(s)))
         spinsOnCycle({r, s});
     spinsOutside({r, s});
-    exchangeAtJunction({r, s});
+    if (canExchange && !found_)
+        exchangeAtJunction({r, s}, {});
     if (ptc_() || !found_)
         return false;
     board_.replay(best_);
     return true;
 }
 
+/// Whether the best way so far will do.
+bool SpinOperations::isEnough() const
+{
+    return found_ && (tries_ >= kEnoughTries || spent_ >= kEnoughMoves);
+}
+
+/// Whether to try a way to swap that takes no fewer moves. Chance says no now and then.
+bool SpinOperations::isWorthTrying(std::size_t leastMoves)
+{
+    const bool worth = !found_ || (!isEnough() && leastMoves < best_.pathLength() &&
+                                   (random_ == nullptr || random_->below(4) != 0));
+    tries_ += worth ? 1 : 0;
+    return worth;
+}
+
+/// Takes back the moves since `start`, which came to nothing.
+void SpinOperations::giveUp(PebbleBoard::Mark start)
+{
+    spent_ += board_.mark() - start;
+    board_.rollback(start);
+}
+
 /// The moves since `start` swap the pair: takes them back, and keeps them where they are the fewest so far.
 void SpinOperations::tryOut(PebbleBoard::Mark start)
 {
     Solution swapped = board_.cut(start);
-    if (!worthTrying(swapped.pathLength()))
+    spent_ += swapped.pathLength();
+    if (found_ && swapped.pathLength() >= best_.pathLength())
         return;
     best_ = std::move(swapped);
     found_ = true;
@@ -112,19 +152,20 @@ void SpinOperations::spinsOnCycle(Pair pair)
                                  graph_.vertexCount(), [](Vertex) { return false; });
     const std::size_t length = pairCycle_.size();
     // The pair is on the first two vertices; the entries nearest to them need the fewest turns.
-    std::size_t tries = 0;
-    for (std::size_t turns = 0; 2 * turns < length; ++turns)
+    for (std::size_t turns = 0; 2 * turns < length && !isEnough(); ++turns)
     {
-        for (const std::size_t entry : {(length - turns) % length, 1 + turns})
+        for (const std::size_t entry : {(length - turns) % length, (1 + turns) % length})
         {
-            for (const Vertex outside : graph_.neighbors(pairCycle_[entry % length]))
+            if (graph_.degree(pairCycle_[entry]) < 3)
+                continue;
+            for (const Vertex outside : graph_.neighbors(pairCycle_[entry]))
             {
-                if (ptc_() || (found_ && tries >= kEnoughTries))
-                    return;
                 if (std::find(pairCycle_.begin(), pairCycle_.end(), outside) != pairCycle_.end())
                     continue;
-                ++tries;
-                spinOnCycle(pair, entry % length, outside);
+                if (ptc_())
+                    return;
+                if (isWorthTrying(0))
+                    spinOnCycle(pair, entry, outside);
             }
         }
     }
@@ -138,7 +179,7 @@ void SpinOperations::spinOnCycle(Pair pair, std::size_t entry, Vertex outside)
     if (freeOutside(pair, outside) && stepOut(pair, outside))
         complete(start, pair);
     else
-        board_.rollback(start);
+        giveUp(start);
 }
 
 /// Frees the vertex outside: pushes its occupant away from the cycle, or pulls it in.
@@ -215,7 +256,6 @@ bool SpinOperations::stepOut(Pair pair, Vertex outside)
 /// *Cycle–bridge* and *bridge–bridge*: at the vertices on cycles that are near the pair.
 void SpinOperations::spinsOutside(Pair pair)
 {
-    std::size_t tries = 0;
     siteSearch_.begin();
     siteSearch_.visit(board_.position(pair.first), kNoVertex);
     siteSearch_.visit(board_.position(pair.second), kNoVertex);
@@ -231,9 +271,10 @@ void SpinOperations::spinsOutside(Pair pair)
         for (Vertex v = entry; v != kNoVertex; v = siteSearch_.parent(v))
             path_.push_back(v);
         std::reverse(path_.begin(), path_.end());
-        if (ptc_() || !worthTrying(4 * path_.size() + 2) || (found_ && tries >= kEnoughTries))
+        if (ptc_() || isEnough() || (found_ && 4 * path_.size() + 2 >= best_.pathLength()))
             return;
-        ++tries;
+        if (!isWorthTrying(4 * path_.size() + 2))
+            continue;
         const bool firstLeads = path_.front() == board_.position(pair.first);
         spinOutside(firstLeads ? pair : Pair{pair.second, pair.first});
     }
@@ -246,7 +287,7 @@ void SpinOperations::spinOutside(Pair pair)
     if (multipush(pair) && openCycle(pair))
         complete(start, pair);
     else
-        board_.rollback(start);
+        giveUp(start);
 }
 
 /// *Multipush*: the first goes along path_, the second behind it; whoever stands in the way is pushed on.
@@ -373,10 +414,10 @@ void SpinOperations::exchangeBetweenHoles(Vertex outside, std::size_t first, std
 }
 
 /// The exchange of Push and Swap, at a junction with two free neighbours.
-void SpinOperations::exchangeAtJunction(Pair pair)
+void SpinOperations::exchangeAtJunction(Pair pair, const PebbleOperations::SwapLimits &limits)
 {
     const PebbleBoard::Mark start = board_.mark();
-    if (worthTrying(6) && pebble_.swap(pair.first, pair.second))
+    if (pebble_.swap(pair.first, pair.second, limits))
         tryOut(start);
 }
 

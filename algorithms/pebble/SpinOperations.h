@@ -29,6 +29,7 @@
 #include "algorithms/pebble/StampedSearch.h"
 #include "framework/analysis/Blocks.h"
 #include "framework/analysis/Subgraphs.h"
+#include "framework/support/Random.h"
 #include "framework/support/TerminationCondition.h"
 
 #include <cstdint>
@@ -44,9 +45,22 @@ public:
     /// Keeps references to all of them.
     SpinOperations(PebbleBoard &board, const Blocks &blocks, const TerminationCondition &ptc);
 
-    /// From now on only robots of one subgraph swap: elsewhere no swap can work, and it is not tried.
-    /// \param assignment the subgraph of each robot, or kNoSubgraph; size = robots; kept
-    void restrictSwaps(std::span<const std::uint32_t> assignment) { assignment_ = assignment; }
+    /// From now on chance breaks ties, and leaves out some ways to swap. Null (at first): nothing is left to
+    /// chance. Keeps the pointer.
+    void setRandom(Random *random)
+    {
+        random_ = random;
+        pebble_.setRandom(random);
+    }
+
+    /// From now on only robots of one subgraph swap: elsewhere no swap can work, and it is not tried. Keeps
+    /// the reference and the pointer.
+    /// \param assignment the subgraph of each robot, or kNoSubgraph; size = robots
+    void restrictSwaps(const Subgraphs &subgraphs, std::span<const std::uint32_t> assignment)
+    {
+        assignment_ = assignment;
+        pebble_.restrictSwaps(subgraphs, assignment);
+    }
 
     /// *Push*: r goes to the neighbouring vertex v, whose occupant gives way; or a full cycle turns with
     /// both, where that takes fewer moves. The marked robots stay. \param stay nonzero where a robot must not
@@ -91,12 +105,11 @@ private:
     void exchange(Vertex outside);
     void exchangeByFullTurn(Vertex outside, std::size_t hole);
     void exchangeBetweenHoles(Vertex outside, std::size_t first, std::size_t last);
-    void exchangeAtJunction(Pair pair);
+    void exchangeAtJunction(Pair pair, const PebbleOperations::SwapLimits &limits);
     void tryOut(PebbleBoard::Mark start);
-    [[nodiscard]] bool worthTrying(std::size_t leastMoves) const
-    {
-        return !found_ || leastMoves < best_.pathLength();
-    }
+    [[nodiscard]] bool isEnough() const;
+    [[nodiscard]] bool isWorthTrying(std::size_t leastMoves);
+    void giveUp(PebbleBoard::Mark start);
     /// The robot on one vertex goes to a neighbouring one.
     void shift(Vertex from, Vertex to) { board_.move(board_.occupant(from), to); }
 
@@ -105,7 +118,9 @@ private:
     const Blocks &blocks_;
     const TerminationCondition &ptc_;
     PebbleOperations pebble_;
+    Random *random_ = nullptr;
     std::span<const std::uint32_t> assignment_; ///< empty: any two robots may swap
+    FreeCounts free_;
     CycleSearch cycles_;
     StampedSearch siteSearch_; ///< of spinsOutside
     StampedSearch freeSearch_; ///< of makeHole
@@ -116,6 +131,8 @@ private:
     std::vector<char> held_;   ///< nonzero for robots on the cycle, of hold(); size = robots
     Solution best_;            ///< of the swaps tried out
     bool found_ = false;       ///< whether there is one
+    std::size_t tries_ = 0;    ///< ways to swap that were tried for this pair
+    std::size_t spent_ = 0;    ///< moves that these took
 };
 
 } // namespace mrpp

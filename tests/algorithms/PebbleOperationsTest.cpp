@@ -84,6 +84,31 @@ TEST(PebbleBoard, ReversesRotations)
     EXPECT_TRUE(validate(table.instance, solution, MotionRule::rotation).valid());
 }
 
+TEST(PebbleBoard, ReplaysWhatWasCut)
+{
+    Table table(Graph::fromEdges(4, {{0, 1}, {1, 2}, {2, 0}, {0, 3}}), {0, 1, 2});
+    const std::vector<Vertex> triangle = {0, 1, 2};
+    const std::vector<Vertex> backwards = {2, 1, 0};
+    table.board.rotate(triangle);
+    table.board.rotate(triangle);
+    table.board.move(1, 3);
+    const Solution forth = table.board.cut(0);
+    EXPECT_EQ(table.positions(), (std::vector<Vertex>{0, 1, 2}));
+    table.board.replay(forth);
+    EXPECT_EQ(table.positions(), (std::vector<Vertex>{2, 3, 1}));
+
+    const auto mark = table.board.mark();
+    table.board.move(1, 0);
+    table.board.rotate(backwards);
+    table.board.move(2, 3);
+    const Solution back = table.board.cut(mark);
+    table.board.replay(back);
+    EXPECT_EQ(table.positions(), (std::vector<Vertex>{1, 2, 3}));
+    const Solution solution = table.board.takeSolution();
+    EXPECT_EQ(solution.pathLength(), 4U) << "the way back takes the last two actions back";
+    EXPECT_EQ(solution.actionCount(), 2U);
+}
+
 TEST(ClearVertex, ShiftsEverybodyOnTheShortestWayToAFreeVertex)
 {
     // 0-1-2-3-4, robots on 0 1 2: freeing 1 pushes robots 1 and 2 outwards.
