@@ -2,6 +2,7 @@
 
 #include "algorithms/Bibox.h"
 #include "algorithms/PushAndRotate.h"
+#include "algorithms/PushAndSpin.h"
 #include "algorithms/PushAndSwap.h"
 #include "algorithms/Tass.h"
 #include "algorithms/optimizers/RedundancyRemoval.h"
@@ -16,6 +17,8 @@ void registerAlgorithms(Catalog &catalog)
     catalog.planners.add<PushAndRotate>(
         "push_and_rotate",
         "push, swap and rotate, one subgraph after another; complete with two free vertices");
+    catalog.planners.add<PushAndSpin>(
+        "push_and_spin", "push, and swap by turning cycles; complete with one free vertex and rotations");
     catalog.planners.add<PushAndSwap>("push_and_swap",
                                       "push aside or swap at a junction, one robot after another");
     catalog.planners.add<Tass>("tass", "trees: filled from the leaves inwards, swaps at junctions");

@@ -1,106 +1,12 @@
 #include "algorithms/PushAndRotate.h"
 
-#include "algorithms/optimizers/RedundancyRemoval.h"
 #include "algorithms/pebble/PebbleOperations.h"
-#include "algorithms/pebble/Priorities.h"
-#include "algorithms/pebble/Transpositions.h"
-#include "algorithms/search/PathFinder.h"
-#include "framework/analysis/Blocks.h"
-#include "framework/analysis/Components.h"
-#include "framework/analysis/Solvability.h"
-#include "framework/analysis/Subgraphs.h"
-
-#include <algorithm>
-#include <limits>
-#include <numeric>
 
 namespace mrpp
 {
 
-namespace
-{
-
-using Loop = TrailLoop<PebbleOperations>;
-
-/// Moves one robot to another place in the order, or exchanges two.
-void perturb(std::vector<Robot> &order, Random &random)
-{
-    if (order.empty())
-        return;
-    const auto a = order.begin() + static_cast<std::ptrdiff_t>(random.below(order.size()));
-    const auto b = order.begin() + static_cast<std::ptrdiff_t>(random.below(order.size()));
-    if (random.below(3) == 0)
-        std::iter_swap(a, b);
-    else if (a < b)
-        std::rotate(a, a + 1, b + 1);
-    else
-        std::rotate(b, a, a + 1);
-}
-
-} // namespace
-
-/// Everything that does not depend on an attempt's choices; read by several threads.
-struct PushAndRotate::Preparation
-{
-    explicit Preparation(const Instance &instance)
-        : landmarks(*instance.graph), blocks(*instance.graph),
-          subgraphs(*instance.graph, blocks, MotionRule::pebble, instance.starts),
-          assignment(subgraphs.assignment(instance.starts)), priorities(subgraphs, instance, assignment),
-          farFirst(mrpp::farFirst(instance, landmarks))
-    {
-        const Components components(*instance.graph);
-        const auto shapes = componentShapes(*instance.graph, components);
-        for (const Vertex start : instance.starts)
-            unswappable.push_back(shapes[components.of(start)] == ComponentShape::branching ? 0 : 1);
-        if (!isObviouslySolvable(instance, components))
-            verdict = solvability(instance, MotionRule::pebble);
-    }
-
-    /// Whether all robots of each component in which somebody moves belong to one subgraph, wherever they
-    /// are: then any permutation can be reached. Spares the question in the usual cases.
-    [[nodiscard]] bool isObviouslySolvable(const Instance &instance, const Components &components) const
-    {
-        const std::vector<std::uint32_t> atGoals = subgraphs.assignment(instance.goals);
-        std::vector<char> moving(components.count(), 0);
-        std::vector<std::uint32_t> only(components.count(), kNoSubgraph);
-        for (Robot r = 0; r < instance.robotCount(); ++r)
-        {
-            if (components.of(instance.starts[r]) != components.of(instance.goals[r]))
-                return false;
-            moving[components.of(instance.starts[r])] |= instance.starts[r] != instance.goals[r] ? 1 : 0;
-        }
-        for (Robot r = 0; r < instance.robotCount(); ++r)
-        {
-            const std::uint32_t component = components.of(instance.starts[r]);
-            if (moving[component] == 0)
-                continue;
-            std::uint32_t &one = only[component];
-            one = one == kNoSubgraph ? atGoals[r] : one;
-            if (unswappable[r] != 0 || one == kNoSubgraph || one != atGoals[r] || one != assignment[r])
-                return false;
-        }
-        return true;
-    }
-
-    Landmarks landmarks;
-    Blocks blocks;
-    Subgraphs subgraphs;
-    std::vector<std::uint32_t> assignment; ///< of robots to subgraphs
-    SubgraphPriorities priorities;
-    std::vector<char> unswappable; ///< nonzero for robots on a path or a polygon
-    std::vector<Robot> farFirst;   ///< an order of all robots
-    Solvability verdict;
-};
-
-/// What the main loop leaves open.
-struct PushAndRotate::Choices
-{
-    std::vector<Robot> order; ///< before the subgraphs' priorities
-    TrailSettings settings;
-};
-
 PushAndRotate::PushAndRotate()
-    : RestartingPlanner(
+    : TrailPlanner(
           {.citation = "B. de Wilde, A. W. ter Mors, C. Witteveen, Push and Rotate: a Complete Multi-agent "
                        "Pathfinding Algorithm, JAIR 51 (2014), pp. 443-492",
            .motion = MotionRule::pebble,
@@ -108,18 +14,7 @@ PushAndRotate::PushAndRotate()
                           "has to move",
            .provesInfeasibility = true,
            .complete = true})
-{
-    declareParam(
-        "order", order_, "far_first,given,random",
-        "who plans first within a subgraph: goals far from the graph's centre, the instance's order, "
-        "or chance");
-    declareParam("swap_price", swapPrice_, "0:25",
-                 "steps that a robot goes around rather than swap with one that has arrived");
-    addProgressProperty("fallbacks",
-                        [this] { return static_cast<double>(fallbacks_.load(std::memory_order_relaxed)); });
-}
-
-PushAndRotate::~PushAndRotate() = default;
+{}
 
 std::optional<std::string> PushAndRotate::reasonToReject(const Instance &instance) const
 {
@@ -139,152 +34,11 @@ std::optional<std::string> PushAndRotate::reasonToReject(const Instance &instanc
     return std::nullopt;
 }
 
-void PushAndRotate::clear()
-{
-    Planner::clear();
-    prepared_.reset();
-    mostMoves_ = std::numeric_limits<std::size_t>::max();
-    fallbacks_ = 0;
-}
-
-void PushAndRotate::setup()
-{
-    prepared_ = std::make_unique<const Preparation>(instance());
-}
-
-RestartingPlanner::Outcome PushAndRotate::attempt(std::uint64_t number, const TerminationCondition &ptc) const
-{
-    if (!prepared_->verdict.solvable)
-        return {PlannerStatus::infeasible, prepared_->verdict.reason, {}};
-    Random random(attemptSeed(number));
-    if (number > 0)
-        return searchNearby(random, ptc);
-
-    Outcome outcome = runMainLoop(firstChoices(random), nullptr, ptc);
-    // Other orders, then the long way that always works.
-    constexpr int kOtherOrders = 10;
-    for (int i = 0; i < kOtherOrders && outcome.status == PlannerStatus::gave_up; ++i)
-        outcome = runMainLoop(randomChoices(random), &random, ptc);
-    if (outcome.status == PlannerStatus::gave_up)
-        outcome = runFallback(ptc);
-    // What is so much longer before redundancy removal is not shorter after it.
-    constexpr std::size_t kMostLengthening = 2;
-    if (outcome.status == PlannerStatus::solved)
-        mostMoves_ = kMostLengthening * outcome.solution.pathLength();
-    return outcome;
-}
-
-PushAndRotate::Choices PushAndRotate::firstChoices(Random &random) const
-{
-    Choices choices{.order = prepared_->farFirst, .settings = settings()};
-    if (order_ != "far_first")
-        std::iota(choices.order.begin(), choices.order.end(), Robot{0});
-    if (order_ == "random")
-        random.shuffle(std::span(choices.order));
-    return choices;
-}
-
-PushAndRotate::Choices PushAndRotate::randomChoices(Random &random) const
-{
-    Choices choices{.order = prepared_->farFirst, .settings = settings()};
-    if (random.below(2) == 0)
-        random.shuffle(std::span(choices.order));
-    for (int i = 0; i < 3; ++i)
-        perturb(choices.order, random);
-    choices.settings.randomizePrices(random);
-    return choices;
-}
-
-TrailSettings PushAndRotate::settings() const
-{
-    // How often robots may be sent back on the way, on average, before an order is given up.
-    constexpr std::size_t kSetbacksPerRobot = 4;
-    return {.arrivedPrice = PathFinder::kStep * (1 + static_cast<PathFinder::Cost>(swapPrice_)),
-            .unswappable = &prepared_->unswappable,
-            .mostSetbacks = 50 + kSetbacksPerRobot * instance().robotCount()};
-}
-
-/// An attempt of chance. On small graphs, where a run of the main loop takes microseconds, it goes on from
-/// the best choices so far by small changes.
-RestartingPlanner::Outcome PushAndRotate::searchNearby(Random &random, const TerminationCondition &ptc) const
-{
-    constexpr std::size_t kMostRuns = 8;
-    constexpr std::size_t kVertices = 512; ///< over all runs
-    const std::size_t runs =
-        std::clamp<std::size_t>(kVertices / std::max<std::size_t>(1, graph().vertexCount()), 1, kMostRuns);
-    Choices choices = randomChoices(random);
-    choices.settings.mostMoves = mostMoves_;
-    Choices tried = choices;
-    Outcome best = runMainLoop(choices, &random, ptc);
-    if (runs == 1)
-        return best;
-    std::size_t fewest = lengthWithoutRedundancy(best);
-    for (std::size_t i = 1; i < runs && !ptc(); ++i)
-    {
-        tried.order = choices.order;
-        tried.settings = choices.settings;
-        perturb(tried.order, random);
-        perturb(tried.order, random);
-        if (random.below(4) == 0)
-            tried.settings.randomizePrices(random);
-        Outcome outcome = runMainLoop(tried, &random, ptc);
-        const std::size_t length = lengthWithoutRedundancy(outcome);
-        if (length > fewest)
-            continue;
-        fewest = length;
-        best = std::move(outcome);
-        std::swap(choices, tried);
-    }
-    return best;
-}
-
-std::size_t PushAndRotate::lengthWithoutRedundancy(const Outcome &outcome) const
-{
-    if (outcome.status != PlannerStatus::solved)
-        return std::numeric_limits<std::size_t>::max();
-    return RedundancyRemoval().improve(instance(), outcome.solution, {}).pathLength();
-}
-
-RestartingPlanner::Outcome PushAndRotate::runMainLoop(const Choices &choices, Random *random,
-                                                      const TerminationCondition &ptc) const
+RestartingPlanner::Outcome PushAndRotate::start(const Run &run) const
 {
     PebbleBoard board(instance());
-    PebbleOperations operations(board, ptc);
-    operations.restrictSwaps(prepared_->subgraphs, prepared_->assignment);
-    operations.setRandom(random);
-    PathFinder paths(graph(), prepared_->landmarks);
-    Loop loop(instance(), board, operations, paths, ptc, choices.settings);
-    switch (loop.run(prepared_->priorities.arrange(choices.order)))
-    {
-    case Loop::End::solved:
-        return {PlannerStatus::solved, {}, board.takeSolution()};
-    case Loop::End::stopped:
-        return {PlannerStatus::timeout, {}, {}};
-    case Loop::End::stuck:
-        break;
-    }
-    return {PlannerStatus::gave_up, loop.reason(), {}};
-}
-
-RestartingPlanner::Outcome PushAndRotate::runFallback(const TerminationCondition &ptc) const
-{
-    ++fallbacks_;
-    PebbleBoard board(instance());
-    PebbleOperations operations(board, ptc);
-    operations.restrictSwaps(prepared_->subgraphs, prepared_->assignment);
-    // On paths and polygons nobody can be swapped, and the main loop always works.
-    std::vector<Robot> unswappable;
-    for (Robot r = 0; r < instance().robotCount(); ++r)
-        if (prepared_->unswappable[r] != 0)
-            unswappable.push_back(r);
-    PathFinder paths(graph(), prepared_->landmarks);
-    Loop loop(instance(), board, operations, paths, ptc, {.unswappable = &prepared_->unswappable});
-    Transpositions transpositions(instance(), board, operations, prepared_->assignment, ptc);
-    if (loop.run(unswappable) == Loop::End::solved && transpositions.run())
-        return {PlannerStatus::solved, {}, board.takeSolution()};
-    if (ptc())
-        return {PlannerStatus::timeout, {}, {}};
-    return {PlannerStatus::gave_up, "a swap within a subgraph failed", {}};
+    PebbleOperations operations(board, run.ptc);
+    return runWith(board, operations, run);
 }
 
 } // namespace mrpp

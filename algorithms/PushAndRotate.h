@@ -25,48 +25,20 @@
 /// Source: B. de Wilde, A. W. ter Mors, C. Witteveen, "Push and Rotate: a complete multi-agent pathfinding
 /// algorithm", JAIR 51 (2014) 443–492. docs/push_and_rotate.md says what differs.
 
-#include "algorithms/RestartingPlanner.h"
-#include "algorithms/pebble/TrailLoop.h"
-
-#include <atomic>
-#include <limits>
-#include <memory>
-#include <string>
-#include <vector>
+#include "algorithms/TrailPlanner.h"
 
 namespace mrpp
 {
 
-class PushAndRotate final : public RestartingPlanner
+class PushAndRotate final : public TrailPlanner
 {
 public:
     PushAndRotate();
-    ~PushAndRotate() override;
 
     [[nodiscard]] std::optional<std::string> reasonToReject(const Instance &instance) const override;
-    void setup() override;
-    void clear() override;
 
 private:
-    struct Preparation;
-    struct Choices;
-
-    Outcome attempt(std::uint64_t number, const TerminationCondition &ptc) const override;
-    [[nodiscard]] TrailSettings settings() const;
-    [[nodiscard]] Choices firstChoices(Random &random) const;
-    [[nodiscard]] Choices randomChoices(Random &random) const;
-    Outcome searchNearby(Random &random, const TerminationCondition &ptc) const;
-    /// \param random breaks ties; null: the vertices' numbers do
-    Outcome runMainLoop(const Choices &choices, Random *random, const TerminationCondition &ptc) const;
-    Outcome runFallback(const TerminationCondition &ptc) const;
-    [[nodiscard]] std::size_t lengthWithoutRedundancy(const Outcome &outcome) const;
-
-    std::string order_ = "far_first";
-    std::int64_t swapPrice_ = 10;
-    std::unique_ptr<const Preparation> prepared_;
-    /// Attempts after the first are given up when they are longer.
-    mutable std::atomic<std::size_t> mostMoves_ = std::numeric_limits<std::size_t>::max();
-    mutable std::atomic<std::uint64_t> fallbacks_ = 0;
+    [[nodiscard]] Outcome start(const Run &run) const override;
 };
 
 } // namespace mrpp

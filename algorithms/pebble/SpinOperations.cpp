@@ -38,7 +38,9 @@ bool SpinOperations::push(Robot r, Vertex v, const std::vector<char> *stay)
     const Vertex from = board_.position(r);
     const PebbleBoard::Mark start = board_.mark();
     const bool pushed = pebble_.push(r, v, stay);
-    const std::size_t moves = pushed ? board_.mark() - start : kLongestTurn + 1;
+    // Where nothing is free, turns are all there is.
+    const std::size_t longestTurn = free_.inComponent(from) == 0 ? graph_.vertexCount() : kLongestTurn;
+    const std::size_t moves = pushed ? board_.mark() - start : longestTurn + 1;
     if (moves <= 3 || blocks_.isBridge(from, v))
         return pushed;
     Solution push = board_.cut(start);
