@@ -5,9 +5,9 @@
 /// The graph is taken apart into a first cycle and *handles*, paths whose ends are on what was there before
 /// (framework/analysis/EarDecomposition.h). The handle that was added last is filled with the robots that
 /// belong there, and never touched again: what is left is as well connected as before. In the end there is
-/// the first cycle, whose robots are sorted with the help of one vertex beside it. For that two free vertices
-/// must belong on the first cycle: the goals are changed beforehand, as if robots moved, until they do, and
-/// these moves are made in reverse order at the very end.
+/// the first cycle, whose robots are sorted with the help of one vertex beside it. That needs two free
+/// vertices and is easier with more, so goals are changed beforehand, as if robots moved, until as many free
+/// vertices as possible belong on the first cycle; these moves are made in reverse order at the very end.
 ///
 /// \code
 /// Bibox planner;
