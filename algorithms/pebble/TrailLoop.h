@@ -59,7 +59,7 @@ struct TrailSettings
 {
     /// Of entering a vertex with a robot that has still to travel, and with one that has arrived. At most
     /// PathFinder::kMaxEnterCost, `noise` added.
-    PathFinder::Cost waitingPrice = PathFinder::kStep + 1;
+    PathFinder::Cost waitingPrice = PathFinder::kStep * 2;
     PathFinder::Cost arrivedPrice = PathFinder::kStep * 11;
     /// Chance adds 0 … noise to the price of each vertex. \pre a power of two less one
     PathFinder::Cost noise = 0;
@@ -73,7 +73,7 @@ struct TrailSettings
     void randomizePrices(Random &random)
     {
         arrivedPrice = PathFinder::kStep * static_cast<PathFinder::Cost>(1 + random.below(25));
-        waitingPrice = PathFinder::kStep + static_cast<PathFinder::Cost>(random.below(4));
+        waitingPrice = PathFinder::kStep + static_cast<PathFinder::Cost>(random.below(6));
         noise = static_cast<PathFinder::Cost>((1U << random.below(3)) - 1);
         noiseSeed = random.bits();
     }
@@ -149,7 +149,8 @@ private:
             const Robot other = board_.occupant(v);
             if (other == kNoRobot)
                 return PathFinder::kStep + noise(v);
-            // One that still has to go somewhere is pushed for about one move, which is worth no detour.
+            // One that still has to go somewhere is pushed for about one move, which is hardly worth a
+            // detour.
             if (arrived_[other] == 0)
                 return settings_.waitingPrice + noise(v);
             return arrivedPrice == PathFinder::kImpassable ? arrivedPrice : arrivedPrice + noise(v);

@@ -28,8 +28,7 @@ public:
 
     /// Keeps references to both.
     PathFinder(const Graph &graph, const Landmarks &landmarks)
-        : graph_(graph), landmarks_(landmarks), costs_(graph.vertexCount()), parents_(graph.vertexCount()),
-          stamps_(graph.vertexCount(), 0)
+        : graph_(graph), landmarks_(landmarks), labels_(graph.vertexCount())
     {}
 
     /// The cheapest path from `from` to `to`, both included; empty where there is none, or where the
@@ -48,7 +47,7 @@ public:
         while (const auto open = pop())
         {
             const auto [v, cost] = *open;
-            if (cost != costs_[v])
+            if (cost != labels_[v].cost)
                 continue;
             if (--untilPoll == 0)
             {
@@ -58,7 +57,7 @@ public:
             }
             if (v == to)
             {
-                for (Vertex u = to; u != kNoVertex; u = parents_[u])
+                for (Vertex u = to; u != kNoVertex; u = labels_[u].parent)
                     path_.push_back(u);
                 std::reverse(path_.begin(), path_.end());
                 break;
@@ -70,7 +69,7 @@ public:
                     continue;
                 assert(price >= kStep && price <= kMaxEnterCost);
                 const Cost newCost = cost + price;
-                if (stamps_[w] != stamp_ || newCost < costs_[w])
+                if (labels_[w].stamp != stamp_ || newCost < labels_[w].cost)
                     reach(w, v, newCost, newCost + kStep * landmarks_.lowerBound(w, to));
             }
         }
@@ -86,6 +85,14 @@ private:
         const Open &operator*() const { return *this; }
     };
 
+    /// What a search knows of a vertex; together in memory, for large graphs.
+    struct Label
+    {
+        Cost cost = 0;
+        Vertex parent = kNoVertex;
+        std::uint32_t stamp = 0; ///< of the search that reached it last
+    };
+
     /// Keys grow by at most kMaxEnterCost + kStep from a vertex to its neighbour, so that a ring of buckets
     /// does.
     static constexpr std::size_t kBuckets = 128;
@@ -99,16 +106,14 @@ private:
         started_ = false;
         if (++stamp_ == 0)
         {
-            std::fill(stamps_.begin(), stamps_.end(), 0);
+            std::fill(labels_.begin(), labels_.end(), Label{});
             stamp_ = 1;
         }
     }
 
     void reach(Vertex v, Vertex parent, Cost cost, Cost key)
     {
-        stamps_[v] = stamp_;
-        costs_[v] = cost;
-        parents_[v] = parent;
+        labels_[v] = {cost, parent, stamp_};
         if (!started_)
             key_ = key;
         started_ = true;
@@ -130,9 +135,7 @@ private:
 
     const Graph &graph_;
     const Landmarks &landmarks_;
-    std::vector<Cost> costs_;
-    std::vector<Vertex> parents_;
-    std::vector<std::uint32_t> stamps_;
+    std::vector<Label> labels_; ///< size = vertices
     std::uint32_t stamp_ = 0;
     std::array<std::vector<Open>, kBuckets> buckets_;
     std::size_t open_ = 0;

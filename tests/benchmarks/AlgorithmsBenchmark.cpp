@@ -1,9 +1,10 @@
 /// \file
-/// Push and Swap and redundancy removal on grids, BIBOX on its generator's graphs. `BFS` is time ÷ one
-/// breadth-first search of the same graph, which compares across machines; `ratio` is moves ÷ the sum of the
-/// shortest distances.
+/// Push and Swap, Push and Rotate and redundancy removal on grids, BIBOX on its generator's graphs. `BFS` is
+/// time ÷ one breadth-first search of the same graph, which compares across machines; `ratio` is moves ÷ the
+/// sum of the shortest distances.
 
 #include "algorithms/Bibox.h"
+#include "algorithms/PushAndRotate.h"
 #include "algorithms/PushAndSwap.h"
 #include "algorithms/optimizers/RedundancyRemoval.h"
 #include "framework/Problem.h"
@@ -23,13 +24,14 @@ namespace
 {
 
 /// Arguments: side of the grid, robots per 1000 vertices.
-void pushAndSwap(benchmark::State &state)
+template <class Solver>
+void planning(benchmark::State &state)
 {
     const auto side = static_cast<std::size_t>(state.range(0));
     const auto graph = test::gridGraph(side, side);
     const std::size_t robots = side * side * static_cast<std::size_t>(state.range(1)) / 1000;
     const auto instance = std::make_shared<Instance>(randomInstance(graph, robots, 1));
-    PushAndSwap planner;
+    Solver planner;
     planner.setInstance(instance);
     planner.setup();
     const test::BfsUnit unit(*graph);
@@ -43,7 +45,7 @@ void pushAndSwap(benchmark::State &state)
     state.counters["ratio"] = static_cast<double>(planner.solution().pathLength()) /
                               static_cast<double>(lowerBounds(*instance)->pathLength);
 }
-BENCHMARK(pushAndSwap)
+BENCHMARK_TEMPLATE(planning, PushAndSwap)
     ->Args({100, 10})
     ->Args({100, 100})
     ->Args({100, 500})
@@ -51,6 +53,32 @@ BENCHMARK(pushAndSwap)
     ->Args({400, 1})
     ->Args({400, 10})
     ->Unit(benchmark::kMillisecond);
+BENCHMARK_TEMPLATE(planning, PushAndRotate)
+    ->Args({10, 980})
+    ->Args({100, 10})
+    ->Args({100, 500})
+    ->Args({100, 900})
+    ->Args({400, 10})
+    ->Unit(benchmark::kMillisecond);
+
+/// A thousand restarts on a small full grid, on one thread. Argument: the grid's side.
+void restarting(benchmark::State &state)
+{
+    const auto side = static_cast<std::size_t>(state.range(0));
+    PushAndRotate planner;
+    planner.parameters().set("restarts", "1000");
+    planner.parameters().set("threads", "1");
+    planner.setInstance(
+        std::make_shared<Instance>(randomInstance(test::gridGraph(side, side), side * side - 2, 1)));
+    planner.setup();
+    for (auto _ : state)
+    {
+        if (planner.solve({}) != PlannerStatus::solved)
+            state.SkipWithError("not solved");
+    }
+    state.counters["moves"] = static_cast<double>(planner.solution().pathLength());
+}
+BENCHMARK(restarting)->Arg(4)->Arg(10)->Unit(benchmark::kMillisecond);
 
 std::shared_ptr<const Graph> biconnectedGraph(std::int64_t size)
 {
