@@ -105,8 +105,9 @@ std::vector<Robot> SubgraphPriorities::arrange(std::span<const Robot> order) con
     for (std::uint32_t s = 0; s < subgraphCount_; ++s)
         if (waitsFor[s] == 0)
             ready.emplace(firsts[s], s);
-    std::vector<std::uint32_t> ranks(subgraphCount_, static_cast<std::uint32_t>(subgraphCount_));
-    for (std::uint32_t rank = 0; !ready.empty(); ++rank)
+    std::vector<std::uint32_t> ranks(subgraphCount_ + 1, kNoSubgraph); // the last of robots without one
+    std::uint32_t rank = 0;
+    for (; !ready.empty(); ++rank)
     {
         const std::uint32_t s = ready.top().second;
         ready.pop();
@@ -116,14 +117,25 @@ std::vector<Robot> SubgraphPriorities::arrange(std::span<const Robot> order) con
             if (--waitsFor[i->second] == 0)
                 ready.emplace(firsts[i->second], i->second);
     }
-    std::vector<Robot> arranged(order.begin(), order.end());
-    const auto rank = [&](Robot r)
-    {
-        const std::uint32_t s = assignment_[r];
-        return s == kNoSubgraph ? std::pair(subgraphCount_ + 1, s) : std::pair(std::size_t{ranks[s]}, s);
-    };
-    std::stable_sort(arranged.begin(), arranged.end(), [&](Robot a, Robot b) { return rank(a) < rank(b); });
-    return arranged;
+    for (std::uint32_t &none : ranks)
+        if (none == kNoSubgraph)
+            none = rank++;
+    return sortedByRank(order, ranks);
+}
+
+/// By counting: linear, for a million robots.
+std::vector<Robot> SubgraphPriorities::sortedByRank(std::span<const Robot> order,
+                                                    std::span<const std::uint32_t> ranks) const
+{
+    const auto rankOf = [&](Robot r) { return ranks[std::min<std::size_t>(assignment_[r], subgraphCount_)]; };
+    std::vector<std::size_t> next(ranks.size() + 1, 0);
+    for (const Robot r : order)
+        ++next[rankOf(r) + 1];
+    std::partial_sum(next.begin(), next.end(), next.begin());
+    std::vector<Robot> sorted(order.size());
+    for (const Robot r : order)
+        sorted[next[rankOf(r)]++] = r;
+    return sorted;
 }
 
 } // namespace mrpp

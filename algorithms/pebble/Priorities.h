@@ -40,6 +40,9 @@ public:
     [[nodiscard]] std::vector<Robot> arrange(std::span<const Robot> order) const;
 
 private:
+    [[nodiscard]] std::vector<Robot> sortedByRank(std::span<const Robot> order,
+                                                  std::span<const std::uint32_t> ranks) const;
+
     std::vector<std::uint32_t> assignment_;
     std::size_t subgraphCount_ = 0;
     std::vector<std::pair<std::uint32_t, std::uint32_t>> before_; ///< (first, later) subgraphs, sorted
