@@ -313,6 +313,7 @@ void addFamily(CLI::App &generate, const std::string &family, const std::string 
         optional(*command, "--instance", arguments->instance,
                  "Where an instance is written: a MovingAI scenario if FILE ends with .scen, else text");
     command->add_flag("--solvable", arguments->solvable, "An instance that has a solution")->needs(instance);
+    command->add_flag("--well-formed", arguments->wellFormed, "A well-formed instance")->needs(instance);
     instance->needs(robots)->needs(command->get_option("--graph"));
     robots->needs(instance);
     command->callback([arguments, &result] { result = *arguments; });
@@ -329,9 +330,9 @@ Examples:
   mrppsim generate grid --side 10 --graph grid.map --robots 20 --instance grid.scen
   mrppsim generate tree --vertices 30 > tree.graphml)");
     command->require_subcommand(1);
-    for (const std::string &family : generatorNames(catalog))
-        addFamily(*command, family, catalog.problems.find(family)->description,
-                  *makeGenerator(catalog, family), result);
+    for (const auto &family : catalog.problems.entries())
+        if (const auto generator = makeGenerator(catalog, family.name))
+            addFamily(*command, family.name, family.description, *generator, result);
 }
 
 void addList(CLI::App &app, Arguments &result)

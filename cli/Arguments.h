@@ -88,6 +88,7 @@ struct GenerateArguments
     std::uint64_t seed = 1;
     std::optional<std::int64_t> robots;
     bool solvable = false;
+    bool wellFormed = false;
     std::optional<std::filesystem::path> graph; ///< standard output where not given
     std::optional<std::filesystem::path> instance;
 };

@@ -1,5 +1,6 @@
 #include "cli/Commands.h"
 #include "problems/SolvableInstance.h"
+#include "problems/WellFormedInstance.h"
 #include "problems/formats/Formats.h"
 #include "problems/formats/GraphMl.h"
 #include "problems/generators/Generator.h"
@@ -35,8 +36,9 @@ ExitCode generate(const GenerateArguments &arguments, const Catalog &catalog)
     if (arguments.instance)
     {
         const auto robots = static_cast<std::size_t>(*arguments.robots);
-        instance = arguments.solvable ? solvableInstance(graph, robots, arguments.seed)
-                                      : generator->makeInstance(graph, robots, arguments.seed);
+        instance = arguments.wellFormed ? wellFormedInstance(graph, robots, arguments.seed)
+                   : arguments.solvable ? solvableInstance(graph, robots, arguments.seed)
+                                        : generator->makeInstance(graph, robots, arguments.seed);
     }
     if (!arguments.graph)
     {

@@ -3,6 +3,7 @@
 #include "framework/Catalog.h"
 #include "framework/support/Error.h"
 #include "problems/SolvableInstance.h"
+#include "problems/WellFormedInstance.h"
 
 #include <cassert>
 
@@ -13,6 +14,8 @@ OneFactor::OneFactor(Varies varies) : varies_(varies)
 {
     declareParam("graph", graph_, "", "a generator and its parameters: {GENERATOR: {parameter: value}}");
     declareParam("solvable", solvable_, "", "draw only instances that have a solution");
+    declareParam("well_formed", wellFormed_, "",
+                 "draw only well-formed instances: each robot has a path around all other starts and goals");
 }
 
 void OneFactor::configure(const Config &settings, const ProblemContext &context)
@@ -66,6 +69,8 @@ void OneFactor::chooseGenerator(const std::string &family, const SourceLocation 
 
 Instance OneFactor::makeInstance(std::shared_ptr<const Graph> graph, std::size_t robots, Seed seed) const
 {
+    if (wellFormed_)
+        return wellFormedInstance(std::move(graph), robots, seed);
     return solvable_ ? solvableInstance(std::move(graph), robots, seed)
                      : generator_->makeInstance(std::move(graph), robots, seed);
 }

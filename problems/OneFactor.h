@@ -13,7 +13,8 @@
 /// of a smaller case are the first robots of a larger one. `fr_vg`, fixed robots with variable graph: the
 /// share (or number) of robots is kept while a parameter of the graph is swept. `graph` names any generator
 /// (generators/Generator.h) with its parameters. With `solvable: true` only instances are drawn that have a
-/// solution (SolvableInstance.h, which also says what then becomes of smaller and larger cases).
+/// solution (SolvableInstance.h, which also says what then becomes of smaller and larger cases), with
+/// `well_formed: true` only well-formed ones, which have one (WellFormedInstance.h).
 
 #include "problems/generators/Generator.h"
 
@@ -50,6 +51,7 @@ private:
     Varies varies_;
     std::string graph_; ///< the generator's name
     bool solvable_ = false;
+    bool wellFormed_ = false;
     std::unique_ptr<Generator> generator_;
 };
 

@@ -2,6 +2,7 @@
 
 #include "framework/support/Error.h"
 #include "problems/SolvableInstance.h"
+#include "problems/WellFormedInstance.h"
 #include "problems/formats/MovingAiScenario.h"
 
 namespace mrpp
@@ -16,6 +17,9 @@ PublicBenchmark::PublicBenchmark()
     declareParam("scenario", scenario_, "", "starts and goals on the map; without it, random ones");
     declareParam("passability", passability_, rules, "which symbols of the map robots may stand on");
     declareParam("solvable", solvable_, "", "draw only random instances that have a solution");
+    declareParam("well_formed", wellFormed_, "",
+                 "draw only well-formed random instances: each robot has a path around all other starts "
+                 "and goals");
 }
 
 void PublicBenchmark::configure(const Config &settings, const ProblemContext &context)
@@ -26,9 +30,9 @@ void PublicBenchmark::configure(const Config &settings, const ProblemContext &co
     map_ = context.resolve(map_);
     if (scenario_.empty())
         return;
-    if (solvable_)
-        throw PlanError(settings.where(), "a scenario's instances are as they are; leave out 'solvable' or "
-                                          "'scenario'");
+    if (solvable_ || wellFormed_)
+        throw PlanError(settings.where(), std::string("a scenario's instances are as they are; leave out '") +
+                                              (solvable_ ? "solvable" : "well_formed") + "' or 'scenario'");
     scenario_ = context.resolve(scenario_);
 }
 
@@ -44,7 +48,9 @@ GridMap PublicBenchmark::load() const
 void PublicBenchmark::check() const
 {
     const auto graph = load().graph;
-    static_cast<void>(makeInstance(graph, robotCount(*graph), 0));
+    const std::size_t robots = robotCount(*graph);
+    // Whether a random instance can be drawn that is solvable or well-formed is a matter of its seed.
+    static_cast<void>(scenario_.empty() ? randomInstance(graph, robots, 0) : makeInstance(graph, robots, 0));
 }
 
 std::vector<std::filesystem::path> PublicBenchmark::inputFiles() const
@@ -67,6 +73,8 @@ std::size_t PublicBenchmark::robotCount(const Graph &graph) const
 Instance PublicBenchmark::makeInstance(std::shared_ptr<const Graph> graph, std::size_t robots,
                                        Seed seed) const
 {
+    if (wellFormed_)
+        return wellFormedInstance(std::move(graph), robots, seed);
     if (solvable_)
         return solvableInstance(std::move(graph), robots, seed);
     if (scenario_.empty())

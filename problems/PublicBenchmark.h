@@ -9,7 +9,8 @@
 /// \endcode
 ///
 /// Random robots start and end in the map's largest component; with `solvable: true` only instances are drawn
-/// that have a solution (SolvableInstance.h). The maps are their owner's and must be fetched
+/// that have a solution (SolvableInstance.h), with `well_formed: true` only well-formed ones
+/// (WellFormedInstance.h). The maps are their owner's and must be fetched
 /// from https://movingai.com/benchmarks by the user: nothing here downloads.
 
 #include "framework/Problem.h"
@@ -43,6 +44,7 @@ private:
     std::filesystem::path scenario_; ///< empty for random instances
     std::string passability_ = "movingai";
     bool solvable_ = false;
+    bool wellFormed_ = false;
 };
 
 } // namespace mrpp

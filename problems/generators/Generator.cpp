@@ -8,6 +8,8 @@ namespace mrpp
 
 void Generator::configure(const Config &settings, const ProblemContext &context)
 {
+    if (const std::string what = missing(); !what.empty())
+        throw PlanError(settings.where(), what);
     Problem::configure(settings, context);
     try
     {
@@ -51,7 +53,8 @@ std::vector<std::string> generatorNames(const Catalog &catalog)
 {
     std::vector<std::string> names;
     for (const auto &entry : catalog.problems.entries())
-        if (makeGenerator(catalog, entry.name))
+        if (const auto generator = makeGenerator(catalog, entry.name);
+            generator && generator->missing().empty())
             names.push_back(entry.name);
     return names;
 }

@@ -24,6 +24,10 @@ public:
     /// Also throws PlanError where parameters do not fit together.
     void configure(const Config &settings, const ProblemContext &context) override;
 
+    /// What this build lacks to make the family's graphs, and how to get it; empty where nothing. A family
+    /// that lacks something is refused by configure().
+    [[nodiscard]] virtual std::string missing() const { return {}; }
+
     /// Refuses a number of robots that a graph of the family cannot hold.
     void check() const override;
 
@@ -41,7 +45,7 @@ protected:
 /// A new generator; null where the catalog has no family of that name or it is no generator.
 [[nodiscard]] std::unique_ptr<Generator> makeGenerator(const Catalog &catalog, std::string_view family);
 
-/// Every generator of the catalog, in its order.
+/// Every generator of the catalog that lacks nothing, in its order.
 [[nodiscard]] std::vector<std::string> generatorNames(const Catalog &catalog);
 
 } // namespace mrpp

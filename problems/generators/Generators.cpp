@@ -6,9 +6,7 @@
 #include "problems/generators/Isthmus.h"
 #include "problems/generators/Maze.h"
 #include "problems/generators/RandomGraph.h"
-#ifdef MRPP_WITH_CGAL
 #include "problems/generators/Roadmap.h"
-#endif
 #include "problems/generators/Rooms.h"
 #include "problems/generators/Tree.h"
 #include "problems/generators/Warehouse.h"
@@ -28,9 +26,7 @@ void registerGenerators(Catalog &catalog)
     problems.add<Maze>("maze", "a grid map: a maze of corridors");
     problems.add<Rooms>("rooms", "a grid map: rooms with doors");
     problems.add<Warehouse>("warehouse", "a grid map: shelves with aisles between them");
-#ifdef MRPP_WITH_CGAL
     problems.add<Roadmap>("roadmap", "a planar roadmap: random points, some edges of their triangulation");
-#endif
 }
 
 } // namespace mrpp

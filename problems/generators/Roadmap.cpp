@@ -1,6 +1,9 @@
 #include "problems/generators/Roadmap.h"
 
+#ifdef MRPP_WITH_CGAL
 #include "framework/geometry/Delaunay.h"
+#endif
+#include "framework/support/Error.h"
 #include "problems/generators/SpanningTree.h"
 
 #include <algorithm>
@@ -8,6 +11,8 @@
 
 namespace mrpp
 {
+
+#ifdef MRPP_WITH_CGAL
 
 namespace
 {
@@ -39,11 +44,9 @@ std::vector<Point> randomPoints(std::size_t count, Random &random)
 
 } // namespace
 
-Roadmap::Roadmap()
+std::string Roadmap::missing() const
 {
-    declareParam("vertices", vertices_, "1:10000000", "how many vertices");
-    declareParam("mean_degree", meanDegree_, "0:6",
-                 "edges · 2 / vertices; kept between a tree and the whole triangulation");
+    return {};
 }
 
 std::shared_ptr<const Graph> Roadmap::makeGraph(Seed seed) const
@@ -56,6 +59,28 @@ std::shared_ptr<const Graph> Roadmap::makeGraph(Seed seed) const
     const auto wanted = static_cast<std::size_t>(std::round(meanDegree_ * static_cast<double>(vertices) / 2));
     edges.resize(std::clamp(wanted, needed, edges.size())); // behind the tree, the edges are in random order
     return Graph::fromEdges(vertices, edges, std::move(points));
+}
+
+#else
+
+std::string Roadmap::missing() const
+{
+    return "planar roadmaps need CGAL, and this mrppsim was built without it; build it with "
+           "-DMRPP_WITH_CGAL=ON";
+}
+
+std::shared_ptr<const Graph> Roadmap::makeGraph(Seed) const
+{
+    throw InputError(missing());
+}
+
+#endif
+
+Roadmap::Roadmap()
+{
+    declareParam("vertices", vertices_, "1:10000000", "how many vertices");
+    declareParam("mean_degree", meanDegree_, "0:6",
+                 "edges · 2 / vertices; kept between a tree and the whole triangulation");
 }
 
 } // namespace mrpp

@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// Planar roadmaps: random points of a square, joined by some edges of their Delaunay triangulation. Needs
-/// CGAL (MRPP_WITH_CGAL), see framework/geometry/Delaunay.h.
+/// Planar roadmaps: random points of a square, joined by some edges of their Delaunay triangulation. Built
+/// without CGAL (MRPP_WITH_CGAL, see framework/geometry/Delaunay.h), the family says so and is refused.
 ///
 /// \code
 /// - roadmap: {vertices: 1000, mean_degree: 3, robots: 50}
@@ -23,6 +23,7 @@ public:
     Roadmap();
 
     [[nodiscard]] std::string name() const override { return "roadmap " + std::to_string(vertices_); }
+    [[nodiscard]] std::string missing() const override;
     [[nodiscard]] std::shared_ptr<const Graph> makeGraph(Seed seed) const override;
 
 private:

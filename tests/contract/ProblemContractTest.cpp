@@ -3,6 +3,7 @@
 
 #include "framework/analysis/Components.h"
 #include "framework/support/File.h"
+#include "problems/generators/Generator.h"
 #include "tests/contract/EverythingRegistered.h"
 
 #include <filesystem>
@@ -81,6 +82,9 @@ protected:
         writeFile(folder_ / "triangle.instance", "graph = triangle.graphml\nagent: start = 0, goal = 2\n");
         writeFile(folder_ / "room.map", "type octile\nheight 3\nwidth 4\nmap\n....\n.@..\n...@\n");
         ASSERT_TRUE(samples().contains(GetParam())) << "add sample settings for this family";
+        const auto generator = makeGenerator(catalog(), GetParam());
+        if (generator && !generator->missing().empty())
+            GTEST_SKIP() << generator->missing();
         problem_ = make();
     }
     void TearDown() override { std::filesystem::remove_all(folder_); }

@@ -61,6 +61,18 @@ TEST(RoadmapGenerator, IsConnectedAndPlanarWithItsMeanDegree)
             ASSERT_TRUE(isConnected(*make<Roadmap>({{"vertices", few}})->makeGraph(seed))) << few;
 }
 
+TEST(RoadmapGenerator, IsConnectedAndPlanarForTenThousandSeeds)
+{
+    const auto roadmap = make<Roadmap>({{"vertices", "20"}, {"mean_degree", "4"}});
+    for (Seed seed = 0; seed < 10'000; ++seed)
+    {
+        const auto graph = roadmap->makeGraph(seed);
+        ASSERT_EQ(graph->vertexCount(), 20U);
+        ASSERT_EQ(graph->edgeCount(), 40U);
+        ASSERT_TRUE(isConnected(*graph) && isPlanar(*graph)) << "seed " << seed;
+    }
+}
+
 TEST(RoadmapGenerator, IsDrawnWithoutCrossings)
 {
     for (Seed seed = 0; seed < 20; ++seed)
