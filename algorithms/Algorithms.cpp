@@ -1,6 +1,7 @@
 #include "algorithms/Algorithms.h"
 
 #include "algorithms/Bibox.h"
+#include "algorithms/Mapp.h"
 #include "algorithms/PushAndRotate.h"
 #include "algorithms/PushAndSpin.h"
 #include "algorithms/PushAndSwap.h"
@@ -21,6 +22,8 @@ void registerAlgorithms(Catalog &catalog)
         "push_and_spin", "push, and swap by turning cycles; complete with one free vertex and rotations");
     catalog.planners.add<PushAndSwap>("push_and_swap",
                                       "push aside or swap at a junction, one robot after another");
+    catalog.planners.add<Mapp>("mapp",
+                               "all at once along paths with ways around each vertex, in order of rank");
     catalog.planners.add<Tass>("tass", "trees: filled from the leaves inwards, swaps at junctions");
 
     catalog.optimizers.add<RedundancyRemoval>(

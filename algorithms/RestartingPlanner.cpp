@@ -14,6 +14,11 @@ namespace mrpp
 namespace
 {
 
+bool hasSolution(PlannerStatus status)
+{
+    return status == PlannerStatus::solved || status == PlannerStatus::partial;
+}
+
 /// The best of the attempts so far; for several threads.
 class Best
 {
@@ -22,10 +27,11 @@ public:
 
     void offer(std::uint64_t number, RestartingPlanner::Outcome outcome)
     {
-        const bool solved = outcome.status == PlannerStatus::solved;
+        const std::size_t away = hasSolution(outcome.status) ? awayAfter(outcome.solution) : kNoSolution;
         const std::size_t length =
-            solved ? RedundancyRemoval().improve(instance_, outcome.solution, {}).pathLength() : 0;
-        const Key key{solved ? 0 : 1, length, number};
+            away == 0 ? RedundancyRemoval().improve(instance_, outcome.solution, {}).pathLength()
+                      : outcome.solution.pathLength();
+        const Key key{away, length, number};
         const std::lock_guard lock(mutex_);
         if (key < key_)
         {
@@ -49,12 +55,24 @@ public:
     }
 
 private:
-    /// Solved ones first, then by length, then by number.
-    using Key = std::tuple<int, std::size_t, std::uint64_t>;
+    /// The fewer robots not at their goals the better, then by length, then by number.
+    using Key = std::tuple<std::size_t, std::size_t, std::uint64_t>;
+    static constexpr std::size_t kNoSolution = static_cast<std::size_t>(-2);
+
+    [[nodiscard]] std::size_t awayAfter(const Solution &solution) const
+    {
+        std::vector<Vertex> positions = instance_.starts;
+        for (const Move &move : solution.moves())
+            positions[move.robot] = move.to;
+        std::size_t away = 0;
+        for (Robot r = 0; r < positions.size(); ++r)
+            away += positions[r] == instance_.goals[r] ? 0U : 1U;
+        return away;
+    }
 
     const Instance &instance_;
     std::mutex mutex_;
-    Key key_{2, 0, 0};
+    Key key_{kNoSolution + 1, 0, 0};
     RestartingPlanner::Outcome outcome_{};
     std::exception_ptr error_;
 };
@@ -73,7 +91,7 @@ PlannerStatus RestartingPlanner::solve(const TerminationCondition &ptc)
 {
     Outcome outcome = attempt(0, ptc);
     // The first attempt's proof, refusal or end of time stands; only chance can be tried again.
-    const bool again = outcome.status == PlannerStatus::solved || outcome.status == PlannerStatus::gave_up;
+    const bool again = hasSolution(outcome.status) || outcome.status == PlannerStatus::gave_up;
     if (restarts_ > 1 && again)
     {
         Best best(instance());
@@ -103,7 +121,7 @@ PlannerStatus RestartingPlanner::solve(const TerminationCondition &ptc)
         }
         outcome = best.take();
     }
-    if (outcome.status == PlannerStatus::solved)
+    if (hasSolution(outcome.status))
         setSolution(std::move(outcome.solution));
     return because(outcome.status, std::move(outcome.reason));
 }

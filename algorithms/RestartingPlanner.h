@@ -16,7 +16,7 @@ namespace mrpp
 class RestartingPlanner : public Planner
 {
 public:
-    /// How one attempt ended; a solution only where the status is `solved`.
+    /// How one attempt ended; a solution only where the status is `solved` or `partial`.
     struct Outcome
     {
         PlannerStatus status;
@@ -28,7 +28,8 @@ public:
 
     /// Makes `restarts` attempts, on `threads` threads, and keeps the solution that is shortest after
     /// redundancy removal, the earliest of equals: the number of threads does not change it. What the
-    /// solution is without redundancy removal is what it hands over. Where time runs out, the best so far.
+    /// solution is without redundancy removal is what it hands over. Where no attempt solves the instance,
+    /// the one that brings most robots to their goals. Where time runs out, the best so far.
     PlannerStatus solve(const TerminationCondition &ptc) final;
 
 protected:

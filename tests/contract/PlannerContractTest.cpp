@@ -174,8 +174,10 @@ TEST_P(EveryPlanner, SurvivesGraphsWithoutEdgesAndSeveralComponents)
 TEST_P(EveryPlanner, GivesTheSameSolutionForTheSameSeed)
 {
     const Instance instance = randomInstance(test::gridGraph(8, 8), 30, 9);
-    if (!run(instance, 5))
+    const auto status = run(instance, 5);
+    if (!status)
         GTEST_SKIP() << "does not take this instance";
+    EXPECT_TRUE(status == PlannerStatus::solved || status == PlannerStatus::partial) << planner_->reason();
     const Solution first = planner_->solution();
     run(randomInstance(test::gridGraph(5, 5), 6, 2), 8);
     run(instance, 5);
@@ -184,7 +186,7 @@ TEST_P(EveryPlanner, GivesTheSameSolutionForTheSameSeed)
     fresh->setInstance(std::make_shared<Instance>(instance));
     fresh->setSeed(5);
     fresh->setup();
-    EXPECT_EQ(fresh->solve({}), PlannerStatus::solved);
+    EXPECT_EQ(fresh->solve({}), status);
     EXPECT_EQ(fresh->solution(), first);
 }
 
