@@ -4,12 +4,14 @@
 /// sum of the shortest distances.
 
 #include "algorithms/Bibox.h"
+#include "algorithms/Mapp.h"
 #include "algorithms/PushAndRotate.h"
 #include "algorithms/PushAndSwap.h"
 #include "algorithms/optimizers/RedundancyRemoval.h"
 #include "framework/Problem.h"
 #include "framework/analysis/EarDecomposition.h"
 #include "framework/analysis/LowerBounds.h"
+#include "framework/evaluation/Metrics.h"
 #include "problems/generators/Biconnected.h"
 #include "tests/benchmarks/BfsUnit.h"
 #include "tests/support/RandomCases.h"
@@ -79,6 +81,33 @@ void restarting(benchmark::State &state)
     state.counters["moves"] = static_cast<double>(planner.solution().pathLength());
 }
 BENCHMARK(restarting)->Arg(4)->Arg(10)->Unit(benchmark::kMillisecond);
+
+/// Arguments as above. `home` is the share of robots at their goals.
+void mapp(benchmark::State &state)
+{
+    const auto side = static_cast<std::size_t>(state.range(0));
+    const auto graph = test::gridGraph(side, side);
+    const std::size_t robots = side * side * static_cast<std::size_t>(state.range(1)) / 1000;
+    const auto instance = std::make_shared<Instance>(randomInstance(graph, robots, 1));
+    Mapp planner;
+    planner.setInstance(instance);
+    planner.setup();
+    const test::BfsUnit unit(*graph);
+    for (auto _ : state)
+        benchmark::DoNotOptimize(planner.solve({}));
+    unit.report(state);
+    const SolutionMetrics metrics = measure(*instance, planner.solution(), MotionRule::following);
+    state.counters["robots"] = static_cast<double>(robots);
+    state.counters["home"] = metrics.completed;
+    state.counters["ratio"] =
+        static_cast<double>(metrics.pathLength) / static_cast<double>(lowerBounds(*instance)->pathLength);
+}
+BENCHMARK(mapp)
+    ->Args({100, 10})
+    ->Args({100, 100})
+    ->Args({400, 1})
+    ->Args({400, 10})
+    ->Unit(benchmark::kMillisecond);
 
 std::shared_ptr<const Graph> biconnectedGraph(std::int64_t size)
 {
