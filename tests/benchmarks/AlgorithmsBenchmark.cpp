@@ -82,8 +82,8 @@ void restarting(benchmark::State &state)
 }
 BENCHMARK(restarting)->Arg(4)->Arg(10)->Unit(benchmark::kMillisecond);
 
-/// Arguments as above. `home` is the share of robots at their goals.
-void mapp(benchmark::State &state)
+/// Arguments: side of the grid, robots per 1000 vertices. `home` is the share of robots at their goals.
+void mappOnGrid(benchmark::State &state)
 {
     const auto side = static_cast<std::size_t>(state.range(0));
     const auto graph = test::gridGraph(side, side);
@@ -102,7 +102,7 @@ void mapp(benchmark::State &state)
     state.counters["ratio"] =
         static_cast<double>(metrics.pathLength) / static_cast<double>(lowerBounds(*instance)->pathLength);
 }
-BENCHMARK(mapp)
+BENCHMARK(mappOnGrid)
     ->Args({100, 10})
     ->Args({100, 100})
     ->Args({400, 1})
