@@ -21,7 +21,8 @@ enum class PlannerStatus
     gave_up = 11,   ///< ended without a solution and without a proof that there is none
     unsupported = 12,  ///< the planner does not take such an instance; the reason says why
     memory_limit = 13, ///< the memory limit came first
-    invalid = 14,      ///< the planner claimed a solution that the validator refused: a defect of the planner
+    invalid = 14,      ///< the planner claimed a solution that the validator refused, or called a solvable
+                       ///< instance infeasible: a defect of the planner
 };
 
 /// The name used in every file: `solved`, `gave_up`, ….

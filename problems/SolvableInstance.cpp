@@ -2,6 +2,7 @@
 
 #include "framework/Problem.h"
 #include "framework/analysis/Components.h"
+#include "framework/analysis/Solvability.h"
 
 #include <algorithm>
 
@@ -10,6 +11,8 @@ namespace mrpp
 
 namespace
 {
+
+constexpr std::uint64_t kDraws = 32; ///< of goals, before they are scrambled starts
 
 /// Robots on the vertices of one component, moved by the pebble rule alone.
 class Scramble
@@ -115,8 +118,13 @@ Instance solvableInstance(std::shared_ptr<const Graph> graph, std::size_t robots
 {
     Instance instance = randomInstance(std::move(graph), robots, seed);
     const Components components(*instance.graph);
-    if (robots == 0)
-        return instance;
+    for (std::uint64_t draw = 0; draw < kDraws; ++draw)
+    {
+        if (solvability(instance, MotionRule::pebble).solvable)
+            return instance;
+        instance.goals =
+            randomInstance(instance.graph, robots, deriveSeed(seed, "goals" + std::to_string(draw))).goals;
+    }
     Scramble scramble(*instance.graph, components.vertices(components.largest()), instance.starts,
                       deriveSeed(seed, "scramble"));
     instance.goals = scramble.run();

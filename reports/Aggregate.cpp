@@ -34,6 +34,12 @@ std::size_t RunGroup::count(PlannerStatus status) const
         runs.begin(), runs.end(), [status](const RunRecord *run) { return run->status == status; }));
 }
 
+std::size_t RunGroup::solvable() const
+{
+    return static_cast<std::size_t>(
+        std::count_if(runs.begin(), runs.end(), [](const RunRecord *run) { return !run->unsolvable(); }));
+}
+
 double RunGroup::successRate() const
 {
     return runs.empty() ? 0 : static_cast<double>(solved()) / static_cast<double>(runs.size());

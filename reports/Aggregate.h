@@ -45,6 +45,8 @@ struct RunGroup
 
     [[nodiscard]] std::size_t solved() const;
     [[nodiscard]] std::size_t count(PlannerStatus status) const;
+    /// Runs whose instance has a solution under the planner's motion rule, as far as anybody knows.
+    [[nodiscard]] std::size_t solvable() const;
     /// solved / runs, 0 … 1.
     [[nodiscard]] double successRate() const;
     /// Of a numeric column over the solved runs that have it; nothing where none has.

@@ -64,6 +64,7 @@ std::string summaryCsv(const std::vector<RunRecord> &records)
             table.cell(std::string(metric) + suffix);
     for (PlannerStatus status : kFailures)
         table.cell(toString(status));
+    table.cell("solvable");
     table.endRow();
 
     for (const RunGroup &group : groupRuns(records))
@@ -86,6 +87,7 @@ std::string summaryCsv(const std::vector<RunRecord> &records)
         }
         for (PlannerStatus status : kFailures)
             table.cell(std::to_string(group.count(status)));
+        table.cell(std::to_string(group.solvable()));
         table.endRow();
     }
     return table.text();

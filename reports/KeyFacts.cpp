@@ -43,6 +43,11 @@ std::string howRunsEnded(const ResultTable &results)
     std::string text = fmt::format("Of {}, {} solved", counted(results.records().size(), "finished run"),
                                    ends[PlannerStatus::solved]);
     text += others.empty() ? "." : "; the others: " + fmt::format("{}.", fmt::join(others, ", "));
+    const auto unsolvable = static_cast<std::size_t>(
+        std::ranges::count_if(results.records(), [](const RunRecord &run) { return run.unsolvable(); }));
+    if (unsolvable > 0)
+        text +=
+            fmt::format(" {} had no solution under the planner's motion rule.", counted(unsolvable, "run"));
     if (results.records().size() < results.plannedRuns())
         text += fmt::format(" {} still missing, so all of this may change.",
                             counted(results.plannedRuns() - results.records().size(), "planned run"));

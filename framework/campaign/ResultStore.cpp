@@ -75,6 +75,8 @@ public:
         sqlite::Statement columns(connection, "SELECT name FROM pragma_table_info('runs')");
         while (columns.step())
             columns_.emplace(folded(columns.text(0)), columns.text(0));
+        if (access == Access::write)
+            addMissingColumns();
     }
 
     ~Database()
@@ -202,6 +204,15 @@ public:
     static constexpr const char *kSomeCommits = "PRAGMA synchronous = NORMAL"; // with the next that is
 
 private:
+    /// Those that the version that made the store did not know.
+    void addMissingColumns()
+    {
+        for (const RunColumn &column : runColumns())
+            if (columns_.emplace(column.name, column.name).second)
+                connection.run("ALTER TABLE runs ADD COLUMN " + sqlite::quoted(column.name) + " " +
+                               sqlType(column.type));
+    }
+
     static std::filesystem::path existing(std::filesystem::path file, Access access)
     {
         std::error_code error;

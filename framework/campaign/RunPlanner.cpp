@@ -83,8 +83,12 @@ void guarded(RunRecord &record, const std::string &who, Work &&work)
     }
 }
 
-void describeInstance(RunRecord &record, const PreparedInstance &prepared)
+/// \param rule the planner's own
+void describeInstance(RunRecord &record, const PreparedInstance &prepared, MotionRule rule)
 {
+    const Solvability &answer = prepared.solvability(rule);
+    record.solvable = answer.solvable ? "yes" : "no";
+    record.unsolvableReason = answer.reason;
     const Instance &instance = *prepared.instance;
     record.vertices = static_cast<std::int64_t>(instance.graph->vertexCount());
     record.edges = static_cast<std::int64_t>(instance.graph->edgeCount());
@@ -212,6 +216,9 @@ PreparedInstance prepare(std::shared_ptr<const Instance> instance)
     assert(instance && !instance->defect());
     PreparedInstance prepared;
     prepared.bounds = lowerBounds(*instance);
+    prepared.oneAtATime = solvability(*instance, MotionRule::pebble);
+    if (!prepared.oneAtATime.solvable) // rotations only add solutions
+        prepared.withRotations = solvability(*instance, MotionRule::rotation);
     prepared.fingerprint = instance->fingerprint();
     prepared.instance = std::move(instance);
     return prepared;
@@ -225,7 +232,7 @@ RunResult runPlanner(Planner &planner, const PreparedInstance &prepared,
     result.instance = prepared.instance;
     RunRecord &record = result.record;
     record.motion = toString(settings.motion);
-    describeInstance(record, prepared);
+    describeInstance(record, prepared, planner.specs().motion);
 
     const MemoryWatch memory(settings.measureMemory);
     guarded(record, "",
@@ -239,6 +246,8 @@ RunResult runPlanner(Planner &planner, const PreparedInstance &prepared,
     if (record.status == PlannerStatus::unknown)
         plan(planner, settings, stop, result);
     memory.note(record, settings.limits.memory);
+    if (record.status == PlannerStatus::infeasible && !record.unsolvable())
+        end(record, PlannerStatus::invalid, "called a solvable instance infeasible: " + record.reason);
     if (!hasSolution(record))
         return result;
 

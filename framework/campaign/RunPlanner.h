@@ -11,6 +11,7 @@
 #include "framework/Optimizer.h"
 #include "framework/Planner.h"
 #include "framework/analysis/LowerBounds.h"
+#include "framework/analysis/Solvability.h"
 #include "framework/campaign/BenchmarkPlan.h"
 #include "framework/campaign/Executor.h"
 
@@ -30,8 +31,16 @@ struct PreparedInstance
     std::shared_ptr<const Instance> instance;
     std::optional<LowerBounds> bounds; ///< nothing where some goal cannot be reached
     std::string fingerprint;
+    Solvability oneAtATime;    ///< what the oracle says without rotations
+    Solvability withRotations; ///< and with them
+
+    [[nodiscard]] const Solvability &solvability(MotionRule rule) const
+    {
+        return rule == MotionRule::rotation ? withRotations : oneAtATime;
+    }
 };
 
+/// Costs some dozens of breadth-first searches, and no run's time.
 /// \pre instance->defect() is empty
 [[nodiscard]] PreparedInstance prepare(std::shared_ptr<const Instance> instance);
 
@@ -59,6 +68,8 @@ struct RunSettings
 ///    than the limit (if measured);
 ///  * `invalid` where its solution breaks its own motion rule or misses a goal, or an optimizer's does so or
 ///    is longer than before; the reason says which move, and which optimizer;
+///    it is also `invalid` to call an instance infeasible that the oracle knows to be solvable under that
+///    rule;
 ///  * else what it says itself.
 ///
 /// Time is that of solve() alone, memory the process's peak during setup() and solve(). Lengths are there for

@@ -136,6 +136,8 @@ std::vector<RunColumn> makeColumns()
         column("attempt", &R::attempt, campaign),
         column("instance_fingerprint", &R::instanceFingerprint, campaign),
         column("solution_fingerprint", &R::solutionFingerprint, campaign),
+        column("solvable", &R::solvable, solve),
+        column("unsolvable_reason", &R::unsolvableReason, solve),
     };
 }
 

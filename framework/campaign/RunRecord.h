@@ -47,6 +47,8 @@ struct RunRecord
     std::optional<std::int64_t> pathLengthLowerBound;
     std::optional<std::int64_t> makespanLowerBound;
     std::string instanceFingerprint;
+    std::string solvable; ///< "yes" or "no", under the planner's own motion rule; empty where nobody knows
+    std::string unsolvableReason; ///< where it is "no"
 
     // How it ended.
     PlannerStatus status = PlannerStatus::unknown;
@@ -73,6 +75,7 @@ struct RunRecord
     /// Columns that pre- and post-run events added.
     std::map<std::string, Value> extra;
 
+    [[nodiscard]] bool unsolvable() const { return solvable == "no"; }
     [[nodiscard]] bool solved() const { return status == PlannerStatus::solved; }
 };
 

@@ -50,6 +50,17 @@ std::string runsAPoint(const std::vector<const RunGroup *> &groups)
                : fmt::format("{} to {}", (*least)->runs.size(), runs);
 }
 
+/// " 3 runs had no solution …" where there are such.
+std::string unsolvableRuns(const std::vector<const RunGroup *> &groups)
+{
+    std::size_t unsolvable = 0;
+    for (const RunGroup *group : groups)
+        unsolvable += group->runs.size() - group->solvable();
+    return unsolvable == 0 ? ""
+                           : fmt::format(" {} had no solution under the planner's motion rule.",
+                                         counted(unsolvable, "run"));
+}
+
 /// The median of a bound over all runs of the groups; solved or not, they share their instances.
 std::optional<double> medianBound(const std::vector<const RunGroup *> &groups, std::string_view column)
 {
@@ -213,8 +224,8 @@ private:
         success.title = "Success rate on " + oneLine(problem.problem);
         success.caption =
             fmt::format("Success rate on {}: share of the runs that ended with a valid solution "
-                        "within the limits; {} at each point.",
-                        where, runsAPoint(groups));
+                        "within the limits; {} at each point.{}",
+                        where, runsAPoint(groups), unsolvableRuns(groups));
         success.variable = variableTitle(problem.sweepVariable);
         success.measure = "Runs solved (%)";
         success.series = makeSeries(places,

@@ -51,9 +51,12 @@ constexpr std::array<Measure, 6> kMeasures = {{
     {"Time", [](const RunGroup &g) { return g.overSolved("time"); }, threeDigits},
 }};
 
+/// "7/10", or "7/10 (8 solvable)" where some instances have no solution.
 std::string solvedOf(const RunGroup &group)
 {
-    return fmt::format("{}/{}", group.solved(), group.runs.size());
+    const std::string all = fmt::format("{}/{}", group.solved(), group.runs.size());
+    return group.solvable() == group.runs.size() ? all
+                                                 : fmt::format("{} ({} solvable)", all, group.solvable());
 }
 
 /// The groups of one sweep point or problem, which stand in rows below each other.

@@ -142,6 +142,31 @@ TEST_F(ResultStoreTest, NeverChangesAFinishedRun)
     EXPECT_EQ(store.solution("a"), solution());
 }
 
+TEST_F(ResultStoreTest, TakesColumnsThatAnOlderVersionDidNotKnow)
+{
+    {
+        ResultStore store(dir(), Access::write);
+        store.add(record("old"), solution());
+    }
+    {
+        sqlite::Connection old(file(), sqlite::Connection::Mode::write);
+        old.run("ALTER TABLE runs DROP COLUMN solvable");
+        old.run("ALTER TABLE runs DROP COLUMN unsolvable_reason");
+    }
+    EXPECT_EQ(ResultStore(dir(), Access::read).records().at(0).solvable, "");
+    ResultStore store(dir(), Access::write);
+    RunRecord fresh = record("new");
+    fresh.solvable = "no";
+    fresh.unsolvableReason = "robots 0 and 1 cannot pass each other on the path 0–2";
+    store.add(fresh, solution());
+    const std::vector<RunRecord> records = store.records();
+    ASSERT_EQ(records.size(), 2U);
+    EXPECT_EQ(records[0].solvable, "");
+    EXPECT_FALSE(records[0].unsolvable());
+    EXPECT_TRUE(records[1].unsolvable());
+    EXPECT_EQ(records[1].unsolvableReason, fresh.unsolvableReason);
+}
+
 TEST_F(ResultStoreTest, CountsAttempts)
 {
     {

@@ -184,9 +184,46 @@ TEST(RunPlanner, PassesOnWhatThePlannerSays)
 {
     EXPECT_EQ(run("quitter").record.status, PlannerStatus::gave_up);
     EXPECT_EQ(run("quitter").record.reason, "too hard");
-    EXPECT_EQ(run("prover").record.status, PlannerStatus::infeasible);
     EXPECT_EQ(run("shrugger").record.status, PlannerStatus::crash);
     expectNoLengths(run("quitter").record);
+}
+
+/// Two robots on a triangle that is full, to change places: rotations keep their cyclic order.
+PreparedInstance unsolvableQuestion()
+{
+    return prepare(std::make_shared<const Instance>(
+        Instance{Graph::fromEdges(3, {{0, 1}, {1, 2}, {2, 0}}), {0, 1, 2}, {1, 0, 2}}));
+}
+
+TEST(RunPlanner, DoesNotBelieveThatASolvableInstanceIsInfeasible)
+{
+    const RunRecord lie = run("prover").record;
+    EXPECT_EQ(lie.status, PlannerStatus::invalid);
+    EXPECT_EQ(lie.reason, "called a solvable instance infeasible: proof");
+    EXPECT_EQ(lie.solvable, "yes");
+
+    const auto prover = fixtures::catalog().planners.create("prover");
+    const RunRecord truth = runPlanner(*prover, unsolvableQuestion(), {}, {}, {}).record;
+    EXPECT_EQ(truth.status, PlannerStatus::infeasible);
+    EXPECT_EQ(truth.reason, "proof");
+}
+
+TEST(RunPlanner, SaysWhetherTheInstanceIsSolvableUnderThePlannersRule)
+{
+    const auto recordOf = [](const char *name, const PreparedInstance &prepared)
+    { return runPlanner(*fixtures::catalog().planners.create(name), prepared, {}, {}, {}).record; };
+    const RunRecord unsolvable = recordOf("quitter", unsolvableQuestion());
+    EXPECT_EQ(unsolvable.status, PlannerStatus::gave_up);
+    EXPECT_EQ(unsolvable.solvable, "no");
+    EXPECT_EQ(unsolvable.unsolvableReason, "robot 0 cannot leave 0 for its goal 1: no vertex is free");
+    EXPECT_EQ(recordOf("turner", unsolvableQuestion()).unsolvableReason,
+              "the cyclic order 0, 1, 2 of robots on the polygon {0, 1, 2} would have to become 0, 2, 1");
+
+    const PreparedInstance turn = prepare(std::make_shared<const Instance>(
+        Instance{Graph::fromEdges(3, {{0, 1}, {1, 2}, {2, 0}}), {0, 1, 2}, {1, 2, 0}}));
+    EXPECT_EQ(recordOf("quitter", turn).solvable, "no");
+    EXPECT_EQ(recordOf("turner", turn).solvable, "yes");
+    EXPECT_EQ(recordOf("turner", turn).unsolvableReason, "");
 }
 
 TEST(RunPlanner, DoesNotBelieveAnEmptySolution)

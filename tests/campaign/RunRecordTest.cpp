@@ -50,7 +50,9 @@ TEST(RunRecord, HasTheColumnsOfTheResultsFileInTheirOrder)
                                                "planner_seed",
                                                "attempt",
                                                "instance_fingerprint",
-                                               "solution_fingerprint"};
+                                               "solution_fingerprint",
+                                               "solvable",
+                                               "unsolvable_reason"};
     std::vector<std::string> names;
     for (const RunColumn &column : runColumns())
         names.emplace_back(column.name);
@@ -140,7 +142,9 @@ TEST(RunRecordJson, HasTheColumnsOfSolve)
   "optimized_makespan": null,
   "optimized_sum_of_costs": null,
   "path_length_lower_bound": null,
-  "makespan_lower_bound": null
+  "makespan_lower_bound": null,
+  "solvable": "",
+  "unsolvable_reason": ""
 }
 )");
 }
