@@ -19,12 +19,12 @@ struct ExhaustiveSettings
 {
     std::size_t vertices = 7; ///< graphs of 1 … that many
     std::size_t threads = 2;
-    std::uint64_t every = 1;           ///< planners get every so-manieth instance of each graph
-    std::uint64_t reasons = 1;         ///< so do the reasons' checks on graphs of the largest size
-    std::uint64_t random = 0;          ///< random instances of each rule
-    std::vector<std::string> planners; ///< all that are complete where empty
-    std::function<void(std::size_t done, std::size_t all)>
-        progress; ///< graphs, or random instances by thousands
+    std::uint64_t every = 1;                ///< planners get every so-manieth instance of each graph
+    std::uint64_t reasons = 1;              ///< so do the reasons' checks on graphs of the largest size
+    std::uint64_t random = 0;               ///< random instances of each rule
+    std::vector<std::string> planners = {}; ///< all that are complete where empty
+    /// Called with graphs that are done, or batches of random instances, by one thread at a time.
+    std::function<void(std::size_t done, std::size_t all)> progress = {};
 };
 
 struct PlannerTally

@@ -43,6 +43,22 @@ TEST(KeyFacts, CompareOnlyWhatEveryPlannerSolved)
                         "planner solved (n = 3): a 2.00 and b 3.00.");
 }
 
+TEST(KeyFacts, SayHowManyRunsHadNoSolution)
+{
+    const auto facts = keyFacts(twoPlanners().run(
+        [](RunRecord &record, std::size_t planner)
+        {
+            solve(record, planner);
+            if (record.repetition > 0)
+                return;
+            record.status = PlannerStatus::infeasible;
+            record.solvable = "no";
+        }));
+    EXPECT_EQ(facts[0],
+              "Of 8 finished runs, 6 solved; the others: 2 infeasible. 2 runs had no solution under the "
+              "planner's motion rule.");
+}
+
 TEST(KeyFacts, SayWhereNothingCanBeCompared)
 {
     const auto facts = keyFacts(twoPlanners().run(
