@@ -23,14 +23,15 @@ struct Corridor
     std::uint32_t length = 0; ///< edges
 };
 
-/// Where robots of different classes are neighbours.
+/// Where two robots of different classes are neighbours, and one of its two sides: the vertices that `inside`
+/// reaches without `without`.
 struct Border
 {
-    Corridor corridor; ///< that keeps them apart
-    Vertex join =
-        kNoVertex; ///< the one of the two that no subgraph can get hold of, if it is not in the corridor
-    Vertex a = kNoVertex; ///< otherwise, an edge of the corridor between them: near end
-    Vertex b = kNoVertex; ///< and far end
+    Corridor corridor; ///< that keeps the two apart
+    Vertex inside = kNoVertex;
+    Vertex without = kNoVertex;
+    bool isFarSide = true; ///< of the path; else it is the near one
+    bool atJoin = false;   ///< `without` itself belongs to the side, too
 };
 
 class ClassObjection
@@ -61,8 +62,6 @@ public:
 private:
     [[nodiscard]] std::uint32_t m() const { return free_.inComponent(near_); }
     [[nodiscard]] bool isLeaf(Vertex v) const { return given_.graph.degree(v) == 1; }
-    /// The robot on v belongs to a subgraph.
-    [[nodiscard]] bool belongs(Vertex v) const { return classes_[v] < subgraphs_.count(); }
 
     /// Sets near_ and far_: the last robot of the first one's class on the path, and the next robot.
     void findNeighbours(std::span<const Vertex> path)
@@ -106,30 +105,57 @@ private:
 
     [[nodiscard]] Border findBorder() const
     {
-        // On a vertex of a subgraph that has no hold of him.
-        for (const Vertex stuck : {near_, far_})
-            if (subgraphs_.of(stuck) != kNoSubgraph && subgraphs_.of(stuck) != classes_[stuck])
-                return {plankWithAllFree(stuck), stuck};
-        // In a corridor, or on either side of one.
-        const std::vector<Vertex> between = treePath(given_.blocks, near_, far_);
-        std::vector<std::size_t> outside; // edges of the path that are in no subgraph, by their first vertex
-        for (std::size_t i = 0; i + 1 < between.size(); ++i)
-            if (subgraphs_.of(between[i]) == kNoSubgraph ||
-                subgraphs_.of(between[i]) != subgraphs_.of(between[i + 1]))
-                outside.push_back(i);
-        const std::size_t i = belongs(near_) ? outside.back() : outside.front();
-        return {corridorOf(between[i], between[i + 1]), kNoVertex, between[i], between[i + 1]};
+        const std::vector<Vertex> path = treePath(given_.blocks, near_, far_);
+        const auto across = [&](std::size_t i) // an edge of the path that is in no subgraph
+        {
+            return Border{corridorOf(path[i], path[i + 1]), path[i + 1], path[i]};
+        };
+        const auto subgraphAt = [&](std::size_t i) { return subgraphs_.of(path[i]); };
+        if (isStuck(near_))
+        {
+            // In a corridor, or on a join whose free vertices the path leaves behind or goes to.
+            if (subgraphAt(0) == kNoSubgraph)
+                return across(0);
+            const Vertex exterior = plankWithAllFree(near_);
+            return path[1] == exterior ? across(0) : atJoin(near_, exterior, false);
+        }
+        const std::size_t last = path.size() - 1;
+        if (isStuck(far_))
+        {
+            const bool fromItsSubgraph =
+                subgraphAt(last) != kNoSubgraph &&
+                (subgraphAt(last) == subgraphAt(last - 1) || subgraphAt(last) == classes_[near_]);
+            return fromItsSubgraph ? atJoin(far_, plankWithAllFree(far_), true) : across(last - 1);
+        }
+        // Between two subgraphs: behind the near one.
+        std::size_t i = last;
+        while (i > 0 && subgraphAt(i) != classes_[near_])
+            --i;
+        return across(i);
     }
 
-    /// All free vertices are beyond one plank of this join: its subgraph has none to move the robot on it.
-    [[nodiscard]] Corridor plankWithAllFree(Vertex join) const
+    /// A robot that no subgraph has a hold of, or not the one that it stands in.
+    [[nodiscard]] bool isStuck(Vertex v) const
+    {
+        const bool belongs = classes_[v] < subgraphs_.count();
+        return !belongs || (subgraphs_.of(v) != kNoSubgraph && subgraphs_.of(v) != classes_[v]);
+    }
+
+    [[nodiscard]] Border atJoin(Vertex join, Vertex exterior, bool isFarSide) const
+    {
+        return {corridorOf(join, exterior), exterior, join, isFarSide, true};
+    }
+
+    /// The first vertex of the plank of a stuck robot's join beyond which all free vertices are: its subgraph
+    /// has none to move it.
+    [[nodiscard]] Vertex plankWithAllFree(Vertex join) const
     {
         const auto planks = subgraphs_.planks(subgraphs_.of(join));
         const auto plank = std::ranges::find_if(
             planks, [&](const Plank &p)
             { return p.join == join && free_.beyond(join, p.exterior) == free_.inComponent(join); });
         assert(plank != planks.end());
-        return corridorOf(join, plank->exterior);
+        return plank->exterior;
     }
 
     /// How many free vertices let robots pass each other there however they stand.
@@ -144,25 +170,25 @@ private:
         return corridor.length + extra(corridor.u) + extra(corridor.v);
     }
 
-    /// The vertices that `from` reaches without the border: without its join, or without its edge.
-    [[nodiscard]] std::vector<std::uint8_t> flood(Vertex from, const Border &border) const
+    /// By vertex.
+    [[nodiscard]] std::vector<std::uint8_t> sideOf(const Border &border) const
     {
         std::vector<std::uint8_t> reached(given_.graph.vertexCount(), 0);
-        std::vector<Vertex> stack = {from};
-        reached[from] = 1;
+        std::vector<Vertex> stack = {border.inside};
+        reached[border.inside] = 1;
         while (!stack.empty())
         {
             const Vertex v = stack.back();
             stack.pop_back();
             for (const Vertex w : given_.graph.neighbors(v))
             {
-                const bool crosses = w == border.join || (v == border.a && w == border.b);
-                if (crosses || reached[w] != 0)
+                if (w == border.without || reached[w] != 0)
                     continue;
                 reached[w] = 1;
                 stack.push_back(w);
             }
         }
+        reached[border.without] = border.atJoin ? 1 : 0;
         return reached;
     }
 
@@ -170,10 +196,8 @@ private:
     /// the end.
     [[nodiscard]] Robot robotThatComesBack(const Border &border, std::span<const Robot> robots) const
     {
-        // A join belongs to the side that is not flooded.
-        const bool joinIsNear = border.join == near_;
-        const std::vector<std::uint8_t> flooded = flood(joinIsNear ? far_ : near_, border);
-        const auto isFar = [&](Vertex v) { return (flooded[v] != 0) == joinIsNear; };
+        const std::vector<std::uint8_t> side = sideOf(border);
+        const auto isFar = [&](Vertex v) { return (side[v] != 0) == border.isFarSide; };
         const auto robot = std::ranges::find_if(
             robots, [&](Robot r) { return isFar(given_.places[r]) && !isFar(given_.instance.goals[r]); });
         assert(robot != robots.end());
