@@ -98,7 +98,7 @@ private:
         };
         extend(corridor.u, b);
         extend(corridor.v, a);
-        if (isLeaf(corridor.u))
+        if (isLeaf(corridor.u) || (!isLeaf(corridor.v) && corridor.v < corridor.u))
             std::swap(corridor.u, corridor.v);
         return corridor;
     }

@@ -245,7 +245,7 @@ std::vector<Case> unsolvableCases()
          Graph::fromEdges(6, {{0, 1}, {0, 2}, {0, 3}, {1, 4}, {1, 5}}),
          {1, 4, 2, 3},
          {0, 2, 3, 4},
-         "robots 0 and 2 cannot pass each other in the corridor 0–1: it needs 3 free vertices, there are 2"},
+         "robots 1 and 3 cannot pass each other in the corridor 0–1: it needs 3 free vertices, there are 2"},
         {"bridge",
          rotation,
          tadpole(),
