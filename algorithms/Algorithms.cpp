@@ -2,6 +2,8 @@
 
 #include "algorithms/Bibox.h"
 #include "algorithms/Mapp.h"
+#include "algorithms/BiboxTheta.h"
+#include "algorithms/OneBlank.h"
 #include "algorithms/PushAndRotate.h"
 #include "algorithms/PushAndSpin.h"
 #include "algorithms/PushAndSwap.h"
@@ -20,6 +22,9 @@ void registerAlgorithms(Catalog &catalog)
         "push, swap and rotate, one subgraph after another; complete with two free vertices");
     catalog.planners.add<PushAndSpin>(
         "push_and_spin", "push, and swap by turning cycles; complete with one free vertex and rotations");
+    catalog.planners.add<BiboxTheta>("bibox_theta",
+                                     "biconnected graphs with one free vertex: handles, then a theta graph");
+    catalog.planners.add<OneBlank>("one_blank", "one free vertex: every block is a puzzle of its own");
     catalog.planners.add<PushAndSwap>("push_and_swap",
                                       "push aside or swap at a junction, one robot after another");
     catalog.planners.add<Mapp>("mapp",
