@@ -1,8 +1,8 @@
 #include "algorithms/Algorithms.h"
 
 #include "algorithms/Bibox.h"
-#include "algorithms/Mapp.h"
 #include "algorithms/BiboxTheta.h"
+#include "algorithms/Mapp.h"
 #include "algorithms/OneBlank.h"
 #include "algorithms/PushAndRotate.h"
 #include "algorithms/PushAndSpin.h"

@@ -114,11 +114,11 @@ void BiboxTheta::setup()
 
 RestartingPlanner::Outcome BiboxTheta::attempt(std::uint64_t number, const TerminationCondition &ptc) const
 {
-    const Outcome stopped{PlannerStatus::timeout, "", {}};
+    const auto stopped = [] { return Outcome{PlannerStatus::timeout, "", {}}; };
     if (instance().starts == instance().goals)
         return {PlannerStatus::solved, "", {}};
     if (ptc())
-        return stopped;
+        return stopped();
     // Numbered by chance in all attempts but the first.
     std::optional<PreparedBlock> shuffled;
     if (number > 0 && graph().vertexCount() <= kMostShuffled)
@@ -138,7 +138,7 @@ RestartingPlanner::Outcome BiboxTheta::attempt(std::uint64_t number, const Termi
     }
     matchFree(*block.graph, occupants, isGoal, puzzle.targets, ptc);
     if (ptc())
-        return stopped;
+        return stopped();
     while (occupants[puzzle.blank] != kNoRobot)
         ++puzzle.blank;
 
@@ -154,13 +154,13 @@ RestartingPlanner::Outcome BiboxTheta::attempt(std::uint64_t number, const Termi
         return {PlannerStatus::infeasible, describe(what, *blocks_, 0), {}};
     const auto rest = solveBlock(puzzle, static_cast<std::size_t>(coreSize_), ptc);
     if (!rest)
-        return stopped;
+        return stopped();
     walk.insert(walk.end(), rest->begin(), rest->end());
     for (Vertex &v : walk)
         v = block.vertices[v];
     auto solution = movesOf(std::move(walk), occupantsAtStart(instance()), ptc);
     if (!solution)
-        return stopped;
+        return stopped();
     return {PlannerStatus::solved, "", std::move(*solution)};
 }
 

@@ -345,7 +345,7 @@ void OneBlank::setup()
 
 RestartingPlanner::Outcome OneBlank::attempt(std::uint64_t number, const TerminationCondition &ptc) const
 {
-    const Outcome stopped{PlannerStatus::timeout, "", {}};
+    const auto stopped = [] { return Outcome{PlannerStatus::timeout, "", {}}; };
     const Instance &question = instance();
     for (Robot r = 0; r < question.robotCount(); ++r)
         if (components_->of(question.starts[r]) != components_->of(question.goals[r]))
@@ -373,7 +373,7 @@ RestartingPlanner::Outcome OneBlank::attempt(std::uint64_t number, const Termina
     for (const std::uint32_t block : trees.order())
     {
         if (ptc())
-            return stopped;
+            return stopped();
         bool needsNothing = !trees.isOnWay(block);
         for (const Vertex v : blocks_->vertices(block))
         {
@@ -415,7 +415,7 @@ RestartingPlanner::Outcome OneBlank::attempt(std::uint64_t number, const Termina
     {
         auto walk = solveBlock(task.puzzle, static_cast<std::size_t>(coreSize_), ptc);
         if (!walk)
-            return stopped;
+            return stopped();
         for (Vertex &v : *walk)
             v = task.puzzle.block->vertices[v];
         walks[task.block] = std::move(*walk);
@@ -423,10 +423,10 @@ RestartingPlanner::Outcome OneBlank::attempt(std::uint64_t number, const Termina
     Tour tour(graph(), *blocks_, trees, std::move(walks));
     for (const Room &room : list)
         if (room.mover != kNoRobot && !tour.append(room.blank, room.root, ptc))
-            return stopped;
+            return stopped();
     auto solution = movesOf(tour.take(), occupants, ptc);
     if (!solution)
-        return stopped;
+        return stopped();
     return {PlannerStatus::solved, "", std::move(*solution)};
 }
 

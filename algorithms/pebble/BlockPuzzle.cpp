@@ -41,6 +41,8 @@ CycleTurn cycleTurn(const BlockPuzzle &puzzle)
     const Graph &graph = *puzzle.block->graph;
     const std::size_t n = graph.vertexCount();
     CycleTurn turn;
+    if (n < 3)
+        return turn;
     turn.cycle = {puzzle.blank, graph.neighbors(puzzle.blank)[0]};
     while (turn.cycle.size() < n)
     {
@@ -136,7 +138,7 @@ void avoidThetaZero(std::vector<Vertex> &cycle, std::vector<Handle> &handles)
     ThetaGraph zero = theta(cycle, handles[0]);
     auto &arms = zero.arms;
     std::sort(arms.begin(), arms.end(), [](const auto &a, const auto &b) { return a.size() < b.size(); });
-    Handle &second = handles[1];
+    Handle second = handles[1];
     const auto isOn = [](const std::vector<Vertex> &arm, Vertex v)
     { return std::find(arm.begin(), arm.end(), v) != arm.end(); };
     const auto isTouched = [&](const std::vector<Vertex> &arm)
@@ -150,7 +152,7 @@ void avoidThetaZero(std::vector<Vertex> &cycle, std::vector<Handle> &handles)
 
     if (!isTouched(arms[2]))
     {
-        handles[0] = std::move(second);
+        handles[0] = second;
         handles[1] = {zero.p, arms[2], zero.q};
         return;
     }
@@ -161,7 +163,7 @@ void avoidThetaZero(std::vector<Vertex> &cycle, std::vector<Handle> &handles)
     Handle rest{second.x, {nearP ? arms[2].back() : arms[2].front()}, nearP ? zero.q : zero.p};
     second.inner.insert(second.inner.begin(), second.x);
     second.x = nearP ? zero.p : zero.q;
-    handles[0] = std::move(second);
+    handles[0] = second;
     handles[1] = std::move(rest);
 }
 

@@ -117,14 +117,14 @@ WalkSearch shortestWalk(const OneBlankBoard &board, std::span<const Vertex> vert
     State goal;
     std::vector<std::vector<std::uint8_t>> neighbors(vertices.size());
     std::size_t states = 1;
-    for (std::uint8_t i = 0; i < vertices.size(); ++i)
+    for (std::size_t i = 0; i < vertices.size(); ++i)
     {
         start.targets[i] = local(board.target(vertices[i]));
-        goal.targets[i] = i;
+        goal.targets[i] = static_cast<std::uint8_t>(i);
         for (const Vertex w : board.graph().neighbors(vertices[i]))
             if (std::find(vertices.begin(), vertices.end(), w) != vertices.end())
                 neighbors[i].push_back(local(w));
-        states *= i + 1U;
+        states *= i + 1;
     }
     start.blank = local(board.blank());
     goal.blank = local(board.blankTarget());

@@ -167,12 +167,12 @@ private:
         auto &arms = theta_.arms;
         std::sort(arms.begin(), arms.end(),
                   [](const auto &first, const auto &second) { return first.size() < second.size(); });
-        if (arms[0].empty())
+        const bool isEven1 = (arms[0].size() + arms[1].size()) % 2 == 0;
+        const bool isEven2 = (arms[0].size() + arms[2].size()) % 2 == 0;
+        if (arms[0].empty() || (!isEven1 && !isEven2))
             std::swap(arms[0], arms[1]);
-        else if ((arms[0].size() + arms[1].size()) % 2 == 0)
+        else if (isEven1)
             std::swap(arms[2], arms[1]);
-        else if ((arms[0].size() + arms[2].size()) % 2 != 0)
-            std::swap(arms[0], arms[1]);
     }
 
     /// Which three of the cycle the hop moves: the one on place base_ comes to base_ + 2 step_, and the two
