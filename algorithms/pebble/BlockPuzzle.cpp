@@ -137,14 +137,17 @@ void avoidThetaZero(std::vector<Vertex> &cycle, std::vector<Handle> &handles)
 {
     ThetaGraph zero = theta(cycle, handles[0]);
     auto &arms = zero.arms;
-    std::sort(arms.begin(), arms.end(), [](const auto &a, const auto &b) { return a.size() < b.size(); });
+    // The arm of one inner vertex comes first.
+    for (std::size_t i : {1U, 2U})
+        if (arms[i].size() == 1)
+            arms[0].swap(arms[i]);
     Handle second = handles[1];
     const auto isOn = [](const std::vector<Vertex> &arm, Vertex v)
     { return std::find(arm.begin(), arm.end(), v) != arm.end(); };
     const auto isTouched = [&](const std::vector<Vertex> &arm)
     { return isOn(arm, second.x) || isOn(arm, second.y); };
     if (!isTouched(arms[1]))
-        std::swap(arms[1], arms[2]);
+        arms[1].swap(arms[2]);
     cycle.assign({zero.p});
     cycle.insert(cycle.end(), arms[0].begin(), arms[0].end());
     cycle.push_back(zero.q);
