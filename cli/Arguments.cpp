@@ -349,6 +349,15 @@ Examples:
     command->callback([arguments, &result] { result = *arguments; });
 }
 
+/// Not in the help: campaigns start it, not people.
+void addWorker(CLI::App &app, Arguments &result)
+{
+    CLI::App *command =
+        app.add_subcommand("worker", "Serve the runs of a campaign, which starts this itself");
+    command->group("");
+    command->callback([&result] { result = WorkerArguments(); });
+}
+
 std::vector<std::string> commandNames(const CLI::App &app)
 {
     std::vector<std::string> names;
@@ -421,6 +430,7 @@ Exit codes: 0 yes or done; 1 a truthful no; 2 wrong use or malformed input; 3 a 
     addConvert(app, result);
     addGenerate(app, result, catalog);
     addList(app, result);
+    addWorker(app, result);
     for (CLI::App *command : app.get_subcommands({}))
         command->allow_extras();
 

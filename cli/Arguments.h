@@ -99,6 +99,10 @@ struct ListArguments
     bool json = false;
 };
 
+/// Serve a campaign's runs; started by `run`.
+struct WorkerArguments
+{};
+
 /// The command line was a question about the program (--help, --version), answered already, or wrong, said
 /// already.
 struct Answered
@@ -106,8 +110,9 @@ struct Answered
     ExitCode code = ExitCode::done;
 };
 
-using Arguments = std::variant<Answered, RunArguments, ReportArguments, SolveArguments, CheckArguments,
-                               ValidateArguments, ConvertArguments, GenerateArguments, ListArguments>;
+using Arguments =
+    std::variant<Answered, RunArguments, ReportArguments, SolveArguments, CheckArguments, ValidateArguments,
+                 ConvertArguments, GenerateArguments, ListArguments, WorkerArguments>;
 
 /// Prints help to the standard output, complaints to the standard error.
 /// \param catalog whose generators have an option for each of their parameters

@@ -18,5 +18,7 @@ namespace mrpp
 [[nodiscard]] ExitCode convert(const ConvertArguments &arguments);
 [[nodiscard]] ExitCode generate(const GenerateArguments &arguments, const Catalog &catalog);
 [[nodiscard]] ExitCode list(const ListArguments &arguments, const Catalog &catalog);
+/// What `run` starts for isolation `process`; not for people.
+[[nodiscard]] ExitCode worker(const Catalog &catalog);
 
 } // namespace mrpp

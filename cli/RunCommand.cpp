@@ -63,12 +63,9 @@ ExitCode dryRun(const BenchmarkPlan &plan, const std::filesystem::path &folder)
 
 /// What may make the campaign's times less than honest; a line each. Asked before the campaign adds its own
 /// load.
-std::string warnings(const BenchmarkPlan &plan, std::int64_t jobs)
+std::string warnings(std::int64_t jobs)
 {
     std::string text;
-    if (plan.execution.isolation == "process")
-        text = "note: this version runs every planner inside mrppsim itself; one that crashes hard ends the "
-               "campaign (finished runs are kept, the same command goes on)\n";
     const auto cores = static_cast<std::int64_t>(std::thread::hardware_concurrency());
     double load = 0;
     if (cores > 0 && jobs > cores)
@@ -120,6 +117,8 @@ Benchmark::Summary runCampaign(Benchmark &benchmark, const RunArguments &argumen
     Benchmark::Request request;
     request.folder = folder;
     request.jobs = arguments.jobs;
+    if (benchmark.plan().execution.isolation == "process")
+        request.worker = {"/proc/self/exe", "worker"}; // this very program, even if its file is replaced
     request.shard = arguments.shard;
     request.shards = arguments.shards;
     request.onFinished = [&kept](const RunSpec &spec, const RunResult &result) { kept.write(spec, result); };
@@ -138,7 +137,7 @@ ExitCode run(const RunArguments &arguments, const Catalog &catalog)
     if (arguments.dryRun)
         return dryRun(plan, folder);
 
-    const std::string caveats = warnings(plan, arguments.jobs.value_or(plan.execution.jobs));
+    const std::string caveats = warnings(arguments.jobs.value_or(plan.execution.jobs));
     Benchmark benchmark(std::move(plan), catalog);
     const Benchmark::Summary summary = runCampaign(benchmark, arguments, folder);
     if (summary.finished > 0)

@@ -31,6 +31,7 @@ struct Dispatch
     ExitCode operator()(const ConvertArguments &arguments) const { return convert(arguments); }
     ExitCode operator()(const GenerateArguments &arguments) const { return generate(arguments, catalog); }
     ExitCode operator()(const ListArguments &arguments) const { return list(arguments, catalog); }
+    ExitCode operator()(const WorkerArguments &) const { return worker(catalog); }
 };
 
 ExitCode dispatch(int count, const char *const *words)

@@ -3,6 +3,7 @@
 #include "framework/campaign/InProcessExecutor.h"
 #include "framework/campaign/Provenance.h"
 #include "framework/campaign/ResultStore.h"
+#include "framework/campaign/WorkerExecutor.h"
 #include "framework/support/Error.h"
 #include "framework/support/File.h"
 #include "framework/support/Random.h"
@@ -253,8 +254,13 @@ Benchmark::Summary Benchmark::benchmark(const Request &request, const std::stop_
             const std::lock_guard lock(events);
             preRun_(planner, spec);
         };
-    InProcessExecutor executor(plan_, catalog_, jobs, preRun);
-    Crew(runs, store, request, postRun_, events, summary).work(executor, jobs, stop);
+    std::unique_ptr<Executor> executor;
+    if (request.worker.empty() || preRun_)
+        executor = std::make_unique<InProcessExecutor>(plan_, catalog_, jobs, preRun);
+    else
+        executor = std::make_unique<WorkerExecutor>(request.worker, plan_, catalog_, jobs,
+                                                    plan_.keep.instances || postRun_ != nullptr);
+    Crew(runs, store, request, postRun_, events, summary).work(*executor, jobs, stop);
 
     summary.interrupted = summary.kept + summary.finished < summary.planned;
     if (!summary.interrupted && !runs.empty())

@@ -20,6 +20,7 @@
 #include <optional>
 #include <stop_token>
 #include <string>
+#include <vector>
 
 namespace mrpp
 {
@@ -33,6 +34,10 @@ public:
         std::optional<std::int64_t> jobs = {}; ///< overrides the plan's
         std::int64_t shard = 1;                ///< 1 … shards: run the shard-th part only
         std::int64_t shards = 1;
+        /// Starts a worker process for this very plan: a program and its arguments that call serveRuns()
+        /// (mrpp "framework/campaign/Worker.h"). Where it is empty, or a pre-run event is set, runs happen in
+        /// this process.
+        std::vector<std::string> worker = {};
         /// Told after every finished run, one call at a time.
         std::function<void(const RunRecord &record, std::size_t done, std::size_t total, double secondsLeft)>
             progress = {};

@@ -48,7 +48,7 @@ struct ProblemPoint
 struct Execution
 {
     std::int64_t jobs = 1;
-    std::string isolation = "none"; ///< "none": in this process
+    std::string isolation = "process"; ///< "process": in workers; "none": in the campaign's own process
 };
 
 /// What a campaign's folder keeps beside its results.

@@ -39,6 +39,7 @@ RunResult InProcessExecutor::execute(const RunSpec &spec, const std::stop_token 
     settings.limits = plan_.limits;
     settings.motion = plan_.motion;
     settings.measureMemory = jobs_ == 1;
+    settings.onPhase = onPhase_;
     RunResult result = runPlanner(*planner, *prepared, optimizers, settings, stop);
     fillIdentity(result.record, plan_, spec);
     return result;

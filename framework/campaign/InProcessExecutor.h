@@ -26,16 +26,25 @@ public:
     InProcessExecutor(const BenchmarkPlan &plan, const Catalog &catalog, std::int64_t jobs,
                       PreRunEvent preRun = {});
 
+    /// Told when a phase of a run begins.
+    void setPhaseEvent(std::function<void(RunPhase, const RunRecord &)> event)
+    {
+        onPhase_ = std::move(event);
+    }
+
     [[nodiscard]] RunResult execute(const RunSpec &spec, const std::stop_token &stop) override;
+
+    /// The instance of the run's case. Throws InputError (DoesNotFit) where there is none.
+    [[nodiscard]] std::shared_ptr<const PreparedInstance> instance(const RunSpec &spec);
 
 private:
     [[nodiscard]] std::shared_ptr<const Graph> graph(const RunSpec &spec);
-    [[nodiscard]] std::shared_ptr<const PreparedInstance> instance(const RunSpec &spec);
 
     const BenchmarkPlan &plan_;
     const Catalog &catalog_;
     std::int64_t jobs_;
     PreRunEvent preRun_;
+    std::function<void(RunPhase, const RunRecord &)> onPhase_;
     RecentCache<std::shared_ptr<const Graph>> graphs_;
     RecentCache<std::shared_ptr<const PreparedInstance>> instances_;
 };

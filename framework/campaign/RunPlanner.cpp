@@ -5,6 +5,7 @@
 #include "framework/support/Config.h"
 #include "framework/support/Memory.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <fmt/core.h>
@@ -34,23 +35,30 @@ private:
 class MemoryWatch
 {
 public:
-    explicit MemoryWatch(bool measure) : measure_(measure && resetPeakMemory()), atStart_(peakMemory()) {}
+    explicit MemoryWatch(bool measure) : measure_(measure && forgetPeakMemory()), atStart_(peakMemory()) {}
 
-    /// Notes the peak; the run is over its limit when the process grew by more.
+    /// Notes the growth, which has its limit.
     void note(RunRecord &record, double limit) const
     {
         if (!measure_)
             return;
-        const double peak = peakMemory();
-        record.memory = peak;
-        if (peak - atStart_ <= limit)
+        const double growth = std::max(0.0, peakMemory() - atStart_);
+        record.memory = growth;
+        if (growth <= limit)
             return;
         record.status = PlannerStatus::memory_limit;
-        record.reason = "grew by " + formatNumber(std::round(peak - atStart_)) + " MB; the limit is " +
+        record.reason = "grew by " + formatNumber(std::round(growth)) + " MB; the limit is " +
                         formatNumber(limit) + " MB";
     }
 
 private:
+    /// What earlier runs freed goes back to the system first, so that this run's growth is its own.
+    static bool forgetPeakMemory()
+    {
+        releaseFreeMemory();
+        return resetPeakMemory();
+    }
+
     bool measure_;
     double atStart_; // MB
 };
@@ -104,6 +112,12 @@ void describeInstance(RunRecord &record, const PreparedInstance &prepared, Motio
     record.completed = measure(instance, Solution(), kCondenseUnder).completed;
 }
 
+void begin(RunPhase phase, const RunSettings &settings, const RunRecord &record)
+{
+    if (settings.onPhase)
+        settings.onPhase(phase, record);
+}
+
 bool hasSolution(const RunRecord &record)
 {
     return record.status == PlannerStatus::solved || record.status == PlannerStatus::partial;
@@ -113,12 +127,14 @@ bool hasSolution(const RunRecord &record)
 void plan(Planner &planner, const RunSettings &settings, const std::stop_token &stop, RunResult &result)
 {
     RunRecord &record = result.record;
+    begin(RunPhase::setup, settings, record);
     const Stopwatch setup;
     guarded(record, "", [&] { planner.setup(); });
     record.setupTime = setup.seconds();
     if (record.status != PlannerStatus::unknown)
         return;
 
+    begin(RunPhase::solve, settings, record);
     const auto ptc = TerminationCondition::after(settings.limits.time) || TerminationCondition::when(stop);
     ProgressSampler progress(planner);
     const Stopwatch solve;
@@ -211,6 +227,22 @@ std::string reasonToReject(const Planner &planner, const Instance &instance, Mot
 
 } // namespace
 
+const char *toString(RunPhase phase)
+{
+    switch (phase)
+    {
+    case RunPhase::setup:
+        return "setup()";
+    case RunPhase::solve:
+        return "solve()";
+    case RunPhase::check:
+        return "the check of its solution";
+    case RunPhase::optimize:
+        return "an optimizer";
+    }
+    return "";
+}
+
 PreparedInstance prepare(std::shared_ptr<const Instance> instance)
 {
     assert(instance && !instance->defect());
@@ -251,6 +283,7 @@ RunResult runPlanner(Planner &planner, const PreparedInstance &prepared,
     if (!hasSolution(record))
         return result;
 
+    begin(RunPhase::check, settings, record);
     const MotionRule rule = planner.specs().motion;
     result.solution = planner.takeSolution();
     const bool mustComplete = record.solved();
@@ -258,8 +291,11 @@ RunResult runPlanner(Planner &planner, const PreparedInstance &prepared,
     if (!wrong.empty())
         end(record, PlannerStatus::invalid, wrong);
     else if (record.solved() && !optimizers.empty())
+    {
+        begin(RunPhase::optimize, settings, record);
         optimize(result, rule, optimizers,
                  TerminationCondition::after(settings.limits.time) || TerminationCondition::when(stop));
+    }
     if (!hasSolution(record))
     {
         result.solution.clear();

@@ -15,6 +15,8 @@
 #include "framework/campaign/BenchmarkPlan.h"
 #include "framework/campaign/Executor.h"
 
+#include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -50,6 +52,18 @@ struct NamedOptimizer
     std::unique_ptr<const Optimizer> optimizer;
 };
 
+/// The parts of a run, in their order; those after solve are left out where there is no solution.
+enum class RunPhase : std::uint8_t
+{
+    setup,
+    solve,
+    check,    ///< and measure
+    optimize, ///< each optimizer, and the check of what it gives
+};
+
+/// As in "killed in solve()".
+[[nodiscard]] const char *toString(RunPhase phase);
+
 struct RunSettings
 {
     Limits limits = {};
@@ -60,6 +74,9 @@ struct RunSettings
 
     /// An answer that comes later than this after the time limit is a `timeout`.
     double grace = 1; ///< seconds
+
+    /// Told when a phase begins, with what is known of the run by then.
+    std::function<void(RunPhase, const RunRecord &)> onPhase = {};
 };
 
 /// Runs the planner as its parameters and seed are, and reports whatever it does:
@@ -72,10 +89,10 @@ struct RunSettings
 ///    rule;
 ///  * else what it says itself.
 ///
-/// Time is that of solve() alone, memory the process's peak during setup() and solve(). Lengths are there for
-/// `solved` and `partial` only; the makespan is that of the solution condensed under `following`. Without a
-/// solution `completed` counts the robots that are at their goals from the start. The record does not say
-/// which run it is: the caller fills that in.
+/// Time is that of solve() alone, memory how far the process grows during setup() and solve(). Lengths are
+/// there for `solved` and `partial` only; the makespan is that of the solution condensed under `following`.
+/// Without a solution `completed` counts the robots that are at their goals from the start. The record does
+/// not say which run it is: the caller fills that in.
 [[nodiscard]] RunResult runPlanner(Planner &planner, const PreparedInstance &prepared,
                                    std::span<const NamedOptimizer> optimizers, const RunSettings &settings,
                                    const std::stop_token &stop);

@@ -1,5 +1,7 @@
 #include "framework/campaign/SolutionCodec.h"
 
+#include "framework/support/Bytes.h"
+
 #include <unordered_map>
 
 namespace mrpp
@@ -9,66 +11,19 @@ namespace
 {
 
 constexpr std::uint8_t kFormat = 1;
-constexpr unsigned kPayloadBits = 7;
-constexpr std::uint8_t kMore = 0x80; // another byte follows
-
-class Writer
+/// The difference modulo 2³², small in both directions (zigzag).
+void writeDifference(ByteWriter &writer, std::uint32_t value, std::uint32_t expected)
 {
-public:
-    void number(std::uint64_t value)
-    {
-        for (; value >= kMore; value >>= kPayloadBits)
-            bytes.push_back(static_cast<std::uint8_t>(value) | kMore);
-        bytes.push_back(static_cast<std::uint8_t>(value));
-    }
+    const std::uint32_t delta = value - expected;
+    writer.number((delta << 1) ^ (0 - (delta >> 31)));
+}
 
-    /// The difference modulo 2³², small in both directions (zigzag).
-    void difference(std::uint32_t value, std::uint32_t expected)
-    {
-        const std::uint32_t delta = value - expected;
-        number((delta << 1) ^ (0 - (delta >> 31)));
-    }
-
-    std::vector<std::uint8_t> bytes;
-};
-
-class Reader
+std::uint32_t readDifference(ByteReader &reader, std::uint32_t expected)
 {
-public:
-    explicit Reader(std::span<const std::uint8_t> bytes) : rest_(bytes) {}
-
-    std::uint64_t number()
-    {
-        std::uint64_t value = 0;
-        for (unsigned shift = 0; shift < 64; shift += kPayloadBits)
-        {
-            if (rest_.empty())
-                break;
-            const std::uint8_t byte = rest_.front();
-            rest_ = rest_.subspan(1);
-            value |= static_cast<std::uint64_t>(byte & ~kMore) << shift;
-            if ((byte & kMore) == 0)
-                return value;
-        }
-        good_ = false;
-        return 0;
-    }
-
-    std::uint32_t difference(std::uint32_t expected)
-    {
-        const std::uint64_t zigzag = number();
-        good_ = good_ && zigzag <= 0xffffffffU;
-        const auto code = static_cast<std::uint32_t>(zigzag);
-        return expected + ((code >> 1) ^ (0 - (code & 1U)));
-    }
-
-    [[nodiscard]] bool good() const { return good_; }
-    [[nodiscard]] std::size_t left() const { return rest_.size(); }
-
-private:
-    std::span<const std::uint8_t> rest_;
-    bool good_ = true;
-};
+    // Too large a number is damage, or another number; either way the result is some 32-bit number.
+    const auto code = static_cast<std::uint32_t>(reader.number());
+    return expected + ((code >> 1) ^ (0 - (code & 1U)));
+}
 
 /// Where each robot went last, which is where its next move begins.
 using Places = std::unordered_map<Robot, Vertex>;
@@ -77,8 +32,8 @@ using Places = std::unordered_map<Robot, Vertex>;
 
 std::vector<std::uint8_t> packSolution(const Solution &solution)
 {
-    Writer writer;
-    writer.bytes.push_back(kFormat);
+    ByteWriter writer;
+    writer.byte(kFormat);
     writer.number(solution.pathLength());
     writer.number(solution.rotations().size());
     std::size_t end = 0;
@@ -93,13 +48,13 @@ std::vector<std::uint8_t> packSolution(const Solution &solution)
     for (const Move &move : solution.moves())
     {
         Vertex &place = places[move.robot];
-        writer.difference(move.robot, robot);
-        writer.difference(move.from, place);
-        writer.difference(move.to, move.from);
+        writeDifference(writer, move.robot, robot);
+        writeDifference(writer, move.from, place);
+        writeDifference(writer, move.to, move.from);
         robot = move.robot;
         place = move.to;
     }
-    return std::move(writer.bytes);
+    return writer.take();
 }
 
 std::optional<Solution> unpackSolution(std::span<const std::uint8_t> bytes)
@@ -108,7 +63,7 @@ std::optional<Solution> unpackSolution(std::span<const std::uint8_t> bytes)
     constexpr std::size_t kLeastBytesARotation = 2;
     if (bytes.empty() || bytes.front() != kFormat)
         return std::nullopt;
-    Reader reader(bytes.subspan(1));
+    ByteReader reader(bytes.subspan(1));
     const std::uint64_t moveCount = reader.number();
     const std::uint64_t rotationCount = reader.number();
     if (moveCount > reader.left() / kLeastBytesAMove || rotationCount > reader.left() / kLeastBytesARotation)
@@ -131,10 +86,10 @@ std::optional<Solution> unpackSolution(std::span<const std::uint8_t> bytes)
     Robot robot = 0;
     for (Move &move : moves)
     {
-        robot = move.robot = reader.difference(robot);
+        robot = move.robot = readDifference(reader, robot);
         Vertex &place = places[robot];
-        move.from = reader.difference(place);
-        place = move.to = reader.difference(move.from);
+        move.from = readDifference(reader, place);
+        place = move.to = readDifference(reader, move.from);
     }
     if (!reader.good() || reader.left() != 0)
         return std::nullopt;

@@ -1,10 +1,27 @@
 #include "framework/support/Memory.h"
 
 #include <fstream>
+#include <malloc.h>
 #include <string>
+#include <string_view>
 
 namespace mrpp
 {
+
+namespace
+{
+
+/// A line of /proc/self/status, which is in kB; 0 where it is missing.
+std::uint64_t statusBytes(std::string_view name)
+{
+    std::ifstream status("/proc/self/status");
+    for (std::string line; std::getline(status, line);)
+        if (line.starts_with(name))
+            return std::stoull(line.substr(name.size())) * 1024;
+    return 0;
+}
+
+} // namespace
 
 bool resetPeakMemory()
 {
@@ -15,13 +32,17 @@ bool resetPeakMemory()
 
 double peakMemory()
 {
-    std::ifstream status("/proc/self/status");
-    for (std::string line; std::getline(status, line);)
-    {
-        if (line.starts_with("VmHWM:"))
-            return std::stod(line.substr(6)) * 1024 / 1e6;
-    }
-    return 0;
+    return static_cast<double>(statusBytes("VmHWM:")) / 1e6;
+}
+
+void releaseFreeMemory()
+{
+    ::malloc_trim(0);
+}
+
+std::uint64_t dataMemory()
+{
+    return statusBytes("VmData:");
 }
 
 } // namespace mrpp

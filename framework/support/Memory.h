@@ -2,6 +2,8 @@
 /// \file
 /// How much memory this process uses, from /proc. (`getrusage`'s maximum inherits the parent's size.)
 
+#include <cstdint>
+
 namespace mrpp
 {
 
@@ -11,5 +13,11 @@ bool resetPeakMemory();
 
 /// The largest resident size since resetPeakMemory(), in MB (10^6 bytes); 0 where it is unknown.
 [[nodiscard]] double peakMemory();
+
+/// Gives memory that was freed, but kept for later, back to the system.
+void releaseFreeMemory();
+
+/// Bytes of private writable memory (heap, stacks), which RLIMIT_DATA limits; 0 where it is unknown.
+[[nodiscard]] std::uint64_t dataMemory();
 
 } // namespace mrpp

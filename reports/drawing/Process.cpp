@@ -1,5 +1,7 @@
 #include "reports/drawing/Process.h"
 
+#include "framework/support/Descriptor.h"
+
 #include <algorithm>
 #include <array>
 #include <cerrno>
@@ -20,27 +22,6 @@ namespace
 {
 
 using Clock = std::chrono::steady_clock;
-
-/// A file descriptor that closes itself.
-class Descriptor
-{
-public:
-    explicit Descriptor(int number) : number_(number) {}
-    ~Descriptor() { close(); }
-    Descriptor(const Descriptor &) = delete;
-    Descriptor &operator=(const Descriptor &) = delete;
-
-    [[nodiscard]] int number() const { return number_; }
-    void close()
-    {
-        if (number_ >= 0)
-            ::close(number_);
-        number_ = -1;
-    }
-
-private:
-    int number_;
-};
 
 /// Starts the program with its output going into `output`; −1 where that fails.
 pid_t spawn(const std::vector<std::string> &arguments, const std::filesystem::path &folder, int output)

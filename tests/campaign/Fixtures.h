@@ -35,7 +35,7 @@ private:
 
 /// Solves Lanes; each robot goes straight to its goal, the first one after `detours` steps to and fro, and
 /// all of it after `pause` seconds.
-class Walker final : public Planner
+class Walker : public Planner
 {
 public:
     Walker();

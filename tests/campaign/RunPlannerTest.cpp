@@ -110,7 +110,8 @@ TEST(RunPlanner, MeasuresASolution)
     EXPECT_EQ(record.motion, "rotation");
     EXPECT_GE(record.time.value(), 0);
     EXPECT_GE(record.setupTime.value(), 0);
-    EXPECT_GT(record.memory.value(), 1);
+    EXPECT_GE(record.memory.value(), 0);
+    EXPECT_LT(record.memory.value(), 5); // its own, not the process's
 }
 
 TEST(RunPlanner, MeasuresAnOptimizedSolutionBesideTheFirst)

@@ -1,7 +1,10 @@
-// Runs a campaign of slow planners in the folder that it is given, until it is killed or done.
+// `campaign_victim FOLDER JOBS` runs a campaign of slow planners in that folder, until it is killed or done;
+// `campaign_victim worker NAME` serves the runs of another campaign, whose tests look for that name.
 
 #include "tests/campaign/Victim.h"
 #include "framework/Benchmark.h"
+#include "framework/campaign/Worker.h"
+#include "tests/campaign/Hostile.h"
 
 #include <cstdio>
 #include <exception>
@@ -9,12 +12,16 @@
 
 int main(int count, char **words)
 {
+    using namespace mrpp;
     if (count != 3)
         return 2;
     try
     {
-        const mrpp::Catalog catalog = mrpp::fixtures::catalog();
-        mrpp::Benchmark benchmark(mrpp::fixtures::victimPlan(), catalog);
+        const Catalog catalog = fixtures::hostileCatalog();
+        if (std::string(words[1]) == "worker")
+            return serveRuns(catalog,
+                             [](const PlanSource &source) { return fixtures::namedPlan(source.text); });
+        Benchmark benchmark(fixtures::victimPlan(), catalog);
         (void)benchmark.benchmark({.folder = words[1], .jobs = std::stoll(words[2])}, {});
         return 0;
     }

@@ -1,0 +1,19 @@
+#include "cli/Commands.h"
+#include "framework/campaign/Worker.h"
+#include "yaml/PlanReader.h"
+
+#include <iostream>
+
+namespace mrpp
+{
+
+ExitCode worker(const Catalog &catalog)
+{
+    const int code = serveRuns(catalog, [&catalog](const PlanSource &source)
+                               { return parsePlan(source.text, source.file, catalog, source.mapFolders); });
+    if (code == 3)
+        std::cerr << "mrppsim: a worker is started by a campaign: mrppsim run PLAN\n";
+    return code == 0 ? ExitCode::done : ExitCode::wrongUse;
+}
+
+} // namespace mrpp

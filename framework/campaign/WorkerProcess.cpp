@@ -1,0 +1,169 @@
+#include "framework/campaign/WorkerProcess.h"
+
+#include "framework/campaign/Worker.h"
+#include "framework/support/Error.h"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <fcntl.h>
+#include <poll.h>
+#include <spawn.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+
+extern char **environ;
+
+namespace mrpp
+{
+
+namespace
+{
+
+constexpr std::size_t kKeptErrorOutput = 2048;
+
+pid_t spawn(const std::vector<std::string> &command, int socket, int errors)
+{
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+    posix_spawn_file_actions_adddup2(&actions, errors, STDERR_FILENO);
+    posix_spawn_file_actions_adddup2(&actions, socket, kWorkerSocket);
+
+    // The campaign's ignored and blocked signals are its own business.
+    posix_spawnattr_t attributes;
+    posix_spawnattr_init(&attributes);
+    sigset_t none;
+    sigset_t restored;
+    sigemptyset(&none);
+    sigemptyset(&restored);
+    for (const int signal : {SIGPIPE, SIGINT, SIGTERM})
+        sigaddset(&restored, signal);
+    posix_spawnattr_setsigmask(&attributes, &none);
+    posix_spawnattr_setsigdefault(&attributes, &restored);
+    posix_spawnattr_setpgroup(&attributes, 0);
+    posix_spawnattr_setflags(&attributes,
+                             POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
+
+    std::vector<char *> words;
+    words.reserve(command.size() + 1);
+    for (const std::string &word : command)
+        words.push_back(const_cast<char *>(word.c_str()));
+    words.push_back(nullptr);
+    pid_t child = -1;
+    errno = ::posix_spawnp(&child, words.front(), &actions, &attributes, words.data(), environ);
+    const int error = errno;
+    posix_spawnattr_destroy(&attributes);
+    posix_spawn_file_actions_destroy(&actions);
+    errno = error;
+    return error == 0 ? child : -1;
+}
+
+} // namespace
+
+WorkerProcess::WorkerProcess(const std::vector<std::string> &command)
+{
+    std::array<int, 2> sockets{};
+    std::array<int, 2> pipe{};
+    if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, sockets.data()) == 0)
+    {
+        socket_ = Descriptor(sockets[0]);
+        const Descriptor workerSocket(sockets[1]);
+        if (::pipe2(pipe.data(), O_CLOEXEC) == 0)
+        {
+            errors_ = Descriptor(pipe[0]);
+            const Descriptor workerErrors(pipe[1]);
+            ::fcntl(errors_.number(), F_SETFL, O_NONBLOCK);
+            pid_ = spawn(command, workerSocket.number(), workerErrors.number());
+        }
+    }
+    if (pid_ < 0)
+        throw FileError(command.front() + ": cannot be started as a worker: " + std::strerror(errno));
+}
+
+WorkerProcess::~WorkerProcess()
+{
+    if (pid_ > 0)
+        (void)end();
+}
+
+std::optional<Message> WorkerProcess::receive(const std::optional<Clock::time_point> &deadline,
+                                              const std::function<bool()> &stop)
+{
+    constexpr std::chrono::milliseconds kLookAround{50};
+    while (!stop())
+    {
+        if (auto message = buffer_.next())
+            return message;
+        auto patience = kLookAround;
+        if (deadline)
+        {
+            const auto left = std::chrono::ceil<std::chrono::milliseconds>(*deadline - Clock::now());
+            if (left.count() <= 0)
+                return std::nullopt;
+            patience = std::min(patience, left);
+        }
+        std::array<pollfd, 2> sources{{{socket_.number(), POLLIN, 0}, {errors_.number(), POLLIN, 0}}};
+        if (::poll(sources.data(), sources.size(), static_cast<int>(patience.count())) <= 0)
+            continue;
+        if (sources[1].revents != 0)
+            readErrorOutput();
+        if (sources[0].revents != 0 && !buffer_.readFrom(socket_.number()))
+            return std::nullopt;
+    }
+    return std::nullopt;
+}
+
+WorkerProcess::End WorkerProcess::end()
+{
+    // A worker that crashed closes its socket a moment before it can be waited for.
+    constexpr int kPatience = 100; // milliseconds
+    int status = 0;
+    pid_t ended = 0;
+    const bool isGone = [this]
+    {
+        pollfd socket{socket_.number(), POLLRDHUP, 0};
+        return ::poll(&socket, 1, 0) > 0;
+    }();
+    for (int i = 0; i < (isGone ? kPatience : 1) && ended == 0; ++i)
+    {
+        if (i > 0)
+            ::poll(nullptr, 0, 1);
+        ended = ::waitpid(pid_, &status, WNOHANG);
+    }
+    ::kill(-pid_, SIGKILL);
+    while (ended <= 0 && (ended = ::waitpid(pid_, &status, 0)) < 0 && errno == EINTR)
+        continue;
+    pid_ = -1;
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, WIFSIGNALED(status) ? WTERMSIG(status) : 0};
+}
+
+std::string WorkerProcess::takeErrorOutput()
+{
+    readErrorOutput();
+    return std::exchange(errorOutput_, {});
+}
+
+void WorkerProcess::readErrorOutput()
+{
+    constexpr int kPiecesAtOnce = 64; // who writes without end must not hold up the campaign
+    std::array<char, 65536> piece{};
+    for (int i = 0; i < kPiecesAtOnce; ++i)
+    {
+        const ssize_t count = ::read(errors_.number(), piece.data(), piece.size());
+        if (count < 0 && errno == EINTR)
+            continue;
+        if (count == 0)
+            errors_.close(); // poll() leaves out a descriptor of −1
+        if (count <= 0)
+            return;
+        errorOutput_.append(piece.data(), static_cast<std::size_t>(count));
+        if (errorOutput_.size() > kKeptErrorOutput)
+            errorOutput_.erase(0, errorOutput_.size() - kKeptErrorOutput);
+    }
+}
+
+} // namespace mrpp

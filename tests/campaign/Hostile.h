@@ -1,0 +1,22 @@
+#pragma once
+/// \file
+/// Planners that only a process of their own can contain.
+
+#include "framework/Catalog.h"
+#include "framework/campaign/BenchmarkPlan.h"
+
+namespace mrpp::fixtures
+{
+
+/// catalog(), and: segfaulter, aborter, exiter (exit(0) in solve), spinner (deaf for ever), setup_spinner,
+/// glutton (allocates without end), holder (300 MB for a moment), forker (leaves two sleeping processes, one
+/// in a session of its own, then walks), double (both sides of a fork return), chatter (64 MB of standard
+/// error and output, then walks), overflower (recursion without end).
+[[nodiscard]] Catalog hostileCatalog();
+
+/// Plans by name, so that a worker can read them again: "hostile" has every planner above on one instance of
+/// Lanes, with limits of 0.3 s and 200 MB; "holders" is holder and walker by turns; "walkers" 120 runs of a
+/// few milliseconds. The plan's text is its name.
+[[nodiscard]] BenchmarkPlan namedPlan(const std::string &name);
+
+} // namespace mrpp::fixtures

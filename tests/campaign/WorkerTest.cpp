@@ -1,0 +1,228 @@
+/// \file
+/// Worker processes, seen through whole campaigns.
+
+#include "framework/Benchmark.h"
+#include "framework/campaign/ResultStore.h"
+#include "framework/support/Error.h"
+#include "tests/campaign/Fixtures.h"
+#include "tests/campaign/Hostile.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <csignal>
+#include <fstream>
+#include <map>
+#include <set>
+#include <sstream>
+#include <thread>
+#include <unistd.h>
+
+namespace mrpp
+{
+namespace
+{
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+/// Processes whose command line holds that word.
+std::vector<pid_t> processes(const std::string &word)
+{
+    std::vector<pid_t> found;
+    for (const auto &entry : std::filesystem::directory_iterator("/proc"))
+    {
+        const std::string name = entry.path().filename();
+        if (name.find_first_not_of("0123456789") != std::string::npos)
+            continue;
+        std::ifstream file(entry.path() / "cmdline");
+        std::stringstream line;
+        line << file.rdbuf();
+        if (line.str().find(word) != std::string::npos)
+            found.push_back(std::stoi(name));
+    }
+    return found;
+}
+
+/// A campaign in workers; the workers' command lines hold the folder's name.
+class Campaign
+{
+public:
+    explicit Campaign(const std::string &plan) : plan_(fixtures::namedPlan(plan)) {}
+
+    Benchmark::Summary run(std::int64_t jobs, const std::stop_token &stop = {})
+    {
+        return Benchmark(plan_, catalog_)
+            .benchmark({.folder = folder_.path(),
+                        .jobs = jobs,
+                        .worker = {MRPP_CAMPAIGN_VICTIM, "worker", folder_.path().string()}},
+                       stop);
+    }
+
+    /// The records of a planner.
+    [[nodiscard]] std::vector<RunRecord> records(const std::string &planner) const
+    {
+        std::vector<RunRecord> records;
+        for (const RunRecord &record : ResultStore(folder_.path(), ResultStore::Access::read).records())
+            if (record.planner == planner)
+                records.push_back(record);
+        return records;
+    }
+
+    [[nodiscard]] RunRecord record(const std::string &planner) const { return records(planner).at(0); }
+    [[nodiscard]] std::vector<std::string> rows() const { return fixtures::rows(plan_, folder_.path()); }
+    [[nodiscard]] std::vector<pid_t> workers() const { return processes(folder_.path().string()); }
+    [[nodiscard]] const BenchmarkPlan &plan() const { return plan_; }
+    [[nodiscard]] const Catalog &catalog() const { return catalog_; }
+
+private:
+    fixtures::TemporaryFolder folder_;
+    BenchmarkPlan plan_;
+    Catalog catalog_ = fixtures::hostileCatalog();
+};
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool kSanitized = true;
+#else
+constexpr bool kSanitized = false;
+#endif
+
+TEST(Worker, ContainsEveryHostilePlanner)
+{
+    if (kSanitized)
+        GTEST_SKIP() << "a sanitizer has its own ways to die";
+    Campaign campaign("hostile");
+    const auto summary = campaign.run(2);
+    EXPECT_EQ(summary.finished, summary.planned);
+    EXPECT_TRUE(campaign.workers().empty());
+
+    using enum PlannerStatus;
+    const std::map<std::string, std::pair<PlannerStatus, std::string>> expected = {
+        {"segfaulter", {crash, "killed by signal 11 (Segmentation fault) in solve()"}},
+        {"aborter", {crash, "killed by signal 6 (Aborted) in solve()"}},
+        {"exiter", {crash, "ended its process with exit code 0 in solve()"}},
+        {"overflower", {crash, "killed by signal 11 (Segmentation fault) in solve()"}},
+        {"spinner", {timeout, "did not stop in solve(): killed 2 s after its limit of 0.3 s"}},
+        {"setup_spinner", {timeout, "did not stop in setup(): killed 2 s after its limit of 0.3 s"}},
+        {"glutton", {memory_limit, "out of memory"}},
+        {"eater", {memory_limit, "out of memory"}},
+        {"thrower", {crash, "threw: no luck"}},
+        {"liar", {invalid, ""}},
+        {"jumper", {invalid, ""}},
+        {"forker", {solved, ""}},
+        {"double", {solved, ""}},
+        {"sleeper", {solved, ""}},
+        {"walker", {solved, ""}},
+    };
+    for (const auto &[planner, end] : expected)
+    {
+        SCOPED_TRACE(planner);
+        ASSERT_EQ(campaign.records(planner).size(), 1U);
+        const RunRecord record = campaign.record(planner);
+        EXPECT_EQ(record.status, end.first) << record.reason;
+        EXPECT_THAT(record.reason, StartsWith(end.second));
+        EXPECT_EQ(record.vertices, 24);
+        EXPECT_FALSE(record.instanceFingerprint.empty());
+    }
+    EXPECT_EQ(std::get<std::string>(campaign.record("aborter").extra.at("error_output")),
+              "assertion failed\n");
+    const auto spoken = std::get<std::string>(campaign.record("chatter").extra.at("error_output"));
+    EXPECT_EQ(spoken.size(), 2048U);
+    EXPECT_TRUE(spoken.ends_with("last words"));
+    EXPECT_NEAR(campaign.record("spinner").time.value(), 2.3, 0.5);
+}
+
+TEST(Worker, GivesTheSameResultsAsThisProcess)
+{
+    Campaign inWorkers("walkers");
+    const auto summary = inWorkers.run(2);
+    EXPECT_EQ(summary.finished, 120U);
+    const fixtures::TemporaryFolder folder;
+    (void)Benchmark(inWorkers.plan(), inWorkers.catalog()).benchmark({.folder = folder.path()}, {});
+    EXPECT_EQ(inWorkers.rows(), fixtures::rows(inWorkers.plan(), folder.path()));
+}
+
+TEST(Worker, TellsEachRunsOwnMemory)
+{
+    if (kSanitized)
+        GTEST_SKIP() << "sanitizers need memory of their own";
+    Campaign campaign("holders");
+    (void)campaign.run(1);
+    for (const RunRecord &record : campaign.records("holder"))
+        EXPECT_NEAR(record.memory.value(), 300, 15);
+    for (const RunRecord &record : campaign.records("walker"))
+        EXPECT_LT(record.memory.value(), 5);
+    for (const RunRecord &record : campaign.records("glutton"))
+        EXPECT_EQ(record.status, PlannerStatus::memory_limit) << record.reason;
+}
+
+TEST(Worker, IsReplacedWhenSomebodyKillsIt)
+{
+    Campaign campaign("walkers");
+    std::atomic<int> kills = 0;
+    Benchmark::Summary summary;
+    {
+        const std::jthread killer(
+            [&](const std::stop_token &stop)
+            {
+                Random random(7);
+                while (!stop.stop_requested())
+                {
+                    std::this_thread::sleep_for(std::chrono::milliseconds(30 + random.below(100)));
+                    const auto workers = campaign.workers();
+                    if (!workers.empty() && ::kill(workers[random.below(workers.size())], SIGKILL) == 0)
+                        ++kills;
+                }
+            });
+        summary = campaign.run(2);
+    }
+    EXPECT_EQ(summary.finished, 120U);
+    EXPECT_GT(kills, 0);
+    EXPECT_FALSE(summary.statuses.contains(PlannerStatus::crash));
+    const fixtures::TemporaryFolder folder;
+    (void)Benchmark(campaign.plan(), campaign.catalog()).benchmark({.folder = folder.path()}, {});
+    EXPECT_EQ(campaign.rows(), fixtures::rows(campaign.plan(), folder.path()));
+}
+
+TEST(Worker, StopsWithItsCampaign)
+{
+    Campaign campaign("hostile");
+    std::stop_source stop;
+    const std::jthread user(
+        [&stop]
+        {
+            std::this_thread::sleep_for(std::chrono::milliseconds(300));
+            stop.request_stop();
+        });
+    const auto start = std::chrono::steady_clock::now();
+    const auto summary = campaign.run(2, stop.get_token());
+    EXPECT_TRUE(summary.interrupted);
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(kSanitized ? 20 : 2));
+    EXPECT_TRUE(campaign.workers().empty());
+}
+
+TEST(Worker, SaysWhyItCannotServe)
+{
+    const BenchmarkPlan plan = fixtures::namedPlan("walkers");
+    const Catalog catalog = fixtures::hostileCatalog();
+    const fixtures::TemporaryFolder folder;
+    const auto complaint = [&](const std::vector<std::string> &command) -> std::string
+    {
+        try
+        {
+            (void)Benchmark(plan, catalog).benchmark({.folder = folder.path(), .worker = command}, {});
+        }
+        catch (const FileError &error)
+        {
+            return error.what();
+        }
+        return "";
+    };
+    EXPECT_THAT(complaint({"/no/such/program"}),
+                HasSubstr("/no/such/program: cannot be started as a worker"));
+    EXPECT_THAT(complaint({"/bin/true"}), HasSubstr("/bin/true: ended before its first run"));
+}
+
+} // namespace
+} // namespace mrpp
