@@ -53,15 +53,19 @@ std::unique_ptr<WorkerProcess> WorkerExecutor::takeWorker(const std::function<bo
             return worker;
         }
     }
-    auto worker = std::make_unique<WorkerProcess>(command_);
-    worker->send(toMessage(PlanSource{plan_.text, plan_.file, plan_.mapFolders}));
-    const auto answer = worker->receive(std::nullopt, stop);
-    if (stop() || (answer && answer->kind == MessageKind::ready))
-        return worker;
-    if (answer && answer->kind == MessageKind::error)
-        throw InputError(toErrorText(*answer));
-    throw FileError(fmt::format("{}: ended before its first run instead of serving as a worker: {}",
-                                command_.front(), worker->takeErrorOutput()));
+    for (;;)
+    {
+        auto worker = std::make_unique<WorkerProcess>(command_);
+        worker->send(toMessage(PlanSource{plan_.text, plan_.file, plan_.mapFolders}));
+        const auto answer = worker->receive(std::nullopt, stop);
+        if (stop() || (answer && answer->kind == MessageKind::ready))
+            return worker;
+        if (answer && answer->kind == MessageKind::error)
+            throw InputError(toErrorText(*answer));
+        if (worker->end().signal != SIGKILL) // else somebody killed it, and the next may live
+            throw FileError(fmt::format("{}: ended before its first run instead of serving as a worker: {}",
+                                        command_.front(), worker->takeErrorOutput()));
+    }
 }
 
 void WorkerExecutor::follow(WorkerProcess &worker, Attempt &attempt, const std::function<bool()> &stop)
@@ -122,10 +126,10 @@ RunResult WorkerExecutor::describeEnd(const RunSpec &spec, Attempt &attempt,
 
 RunResult WorkerExecutor::execute(const RunSpec &spec, const std::stop_token &stop)
 {
-    constexpr int kMostAttempts = 3;
+    constexpr int kMostKills = 2; // by others, in the middle of this run
     const auto stopped = [&stop] { return stop.stop_requested(); };
     RunResult result;
-    for (int i = 1;; ++i)
+    for (int kills = 0;;)
     {
         std::unique_ptr<WorkerProcess> worker = takeWorker(stopped);
         Attempt attempt;
@@ -143,7 +147,7 @@ RunResult WorkerExecutor::execute(const RunSpec &spec, const std::stop_token &st
         {
             const WorkerProcess::End end = worker->end();
             const bool killedByOthers = end.signal == SIGKILL && !attempt.tooLate;
-            if (killedByOthers && i < kMostAttempts && !stopped())
+            if (killedByOthers && !stopped() && (!attempt.note || ++kills <= kMostKills))
                 continue;
             errorOutput = worker->takeErrorOutput();
             result = describeEnd(spec, attempt, end);
