@@ -127,6 +127,9 @@ void Lanes::check() const
     for (const auto &file : inputFiles())
         if (readFile(file).starts_with("bad"))
             throw ParseError({file.string(), 1, 1}, "begins with 'bad'");
+    const std::size_t robots = robotCount(*makeGraph(0));
+    if (!inputFiles().empty() && robots > static_cast<std::size_t>(rows_))
+        throw InputError(std::to_string(robots) + " robots never fit " + std::to_string(rows_) + " lanes");
 }
 
 std::vector<std::filesystem::path> Lanes::inputFiles() const
