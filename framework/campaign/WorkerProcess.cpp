@@ -2,6 +2,7 @@
 
 #include "framework/campaign/Worker.h"
 #include "framework/support/Error.h"
+#include "framework/support/Spawn.h"
 
 #include <algorithm>
 #include <array>
@@ -10,11 +11,8 @@
 #include <cstring>
 #include <fcntl.h>
 #include <poll.h>
-#include <spawn.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
-
-extern char **environ;
 
 namespace mrpp
 {
@@ -33,33 +31,11 @@ pid_t spawn(const std::vector<std::string> &command, int socket, int errors)
     posix_spawn_file_actions_adddup2(&actions, errors, STDERR_FILENO);
     posix_spawn_file_actions_adddup2(&actions, socket, kWorkerSocket);
 
-    // The campaign's ignored and blocked signals are its own business.
-    posix_spawnattr_t attributes;
-    posix_spawnattr_init(&attributes);
-    sigset_t none;
-    sigset_t restored;
-    sigemptyset(&none);
-    sigemptyset(&restored);
-    for (const int signal : {SIGPIPE, SIGINT, SIGTERM})
-        sigaddset(&restored, signal);
-    posix_spawnattr_setsigmask(&attributes, &none);
-    posix_spawnattr_setsigdefault(&attributes, &restored);
-    posix_spawnattr_setpgroup(&attributes, 0);
-    posix_spawnattr_setflags(&attributes,
-                             POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
-
-    std::vector<char *> words;
-    words.reserve(command.size() + 1);
-    for (const std::string &word : command)
-        words.push_back(const_cast<char *>(word.c_str()));
-    words.push_back(nullptr);
-    pid_t child = -1;
-    errno = ::posix_spawnp(&child, words.front(), &actions, &attributes, words.data(), environ);
-    const int error = errno;
-    posix_spawnattr_destroy(&attributes);
+    const pid_t child = spawnGroup(command, actions);
+    const int error = errno; // of spawnGroup
     posix_spawn_file_actions_destroy(&actions);
     errno = error;
-    return error == 0 ? child : -1;
+    return child;
 }
 
 } // namespace

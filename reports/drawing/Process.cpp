@@ -1,6 +1,7 @@
 #include "reports/drawing/Process.h"
 
 #include "framework/support/Descriptor.h"
+#include "framework/support/Spawn.h"
 
 #include <algorithm>
 #include <array>
@@ -8,12 +9,9 @@
 #include <csignal>
 #include <fcntl.h>
 #include <poll.h>
-#include <spawn.h>
 #include <sys/wait.h>
 #include <thread>
 #include <unistd.h>
-
-extern char **environ;
 
 namespace mrpp
 {
@@ -33,32 +31,9 @@ pid_t spawn(const std::vector<std::string> &arguments, const std::filesystem::pa
     posix_spawn_file_actions_adddup2(&actions, output, STDOUT_FILENO);
     posix_spawn_file_actions_adddup2(&actions, output, STDERR_FILENO);
 
-    // The caller's ignored and blocked signals are its own business, not the program's.
-    posix_spawnattr_t attributes;
-    posix_spawnattr_init(&attributes);
-    sigset_t none;
-    sigset_t restored;
-    sigemptyset(&none);
-    sigemptyset(&restored);
-    for (const int signal : {SIGPIPE, SIGINT, SIGTERM})
-        sigaddset(&restored, signal);
-    posix_spawnattr_setsigmask(&attributes, &none);
-    posix_spawnattr_setsigdefault(&attributes, &restored);
-    posix_spawnattr_setpgroup(&attributes, 0);
-    posix_spawnattr_setflags(&attributes,
-                             POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
-
-    std::vector<char *> pointers;
-    pointers.reserve(arguments.size() + 1);
-    for (const std::string &argument : arguments)
-        pointers.push_back(const_cast<char *>(argument.c_str()));
-    pointers.push_back(nullptr);
-    pid_t child = -1;
-    const int error =
-        ::posix_spawnp(&child, pointers.front(), &actions, &attributes, pointers.data(), environ);
-    posix_spawnattr_destroy(&attributes);
+    const pid_t child = spawnGroup(arguments, actions);
     posix_spawn_file_actions_destroy(&actions);
-    return error == 0 ? child : -1;
+    return child;
 }
 
 /// Collects what comes out until the other end closes; false where the deadline came first.
