@@ -47,33 +47,33 @@ enum class Coordinates
 /// A format that is written, and what of a graph it can say.
 struct Target
 {
-    FormatId id;
     const char *name;
+    FormatId id;
     Holds holds;
     Coordinates coordinates = Coordinates::all;
     bool weights = true;
 };
 
 constexpr Target kTargets[] = {
-    {FormatId::graphMl, "graphml", Holds::graph},
-    {FormatId::movingAiMap, "movingai_map", Holds::graph, Coordinates::flatDown, false},
-    {FormatId::dimacs, "dimacs", Holds::graph, Coordinates::none},
-    {FormatId::edgeList, "edge_list", Holds::graph, Coordinates::none},
-    {FormatId::instanceText, "instance", Holds::instance},
-    {FormatId::scenario, "movingai_scenario", Holds::instance, Coordinates::flatDown, false},
-    {FormatId::cpf, "cpf", Holds::instance, Coordinates::none, false},
-    {FormatId::kei18Instance, "kei18_instance", Holds::instance, Coordinates::flatDown, false},
-    {FormatId::libMrpInstance, "libmrp_instance", Holds::instance, Coordinates::flatUp, false},
-    {FormatId::solutionCsv, "solution", Holds::solution},
-    {FormatId::surynekSolution, "surynek_solution", Holds::solution},
-    {FormatId::kei18Result, "kei18_result", Holds::solution},
-    {FormatId::libMrpSchedule, "libmrp_schedule", Holds::solution},
-    {FormatId::paths, "paths", Holds::solution},
-    {FormatId::trackerCsv, "tracker_csv", Holds::solution},
-    {FormatId::trackerJson, "tracker_json", Holds::solution},
-    {FormatId::graphRec, "graphrec", Holds::solution, Coordinates::scaled, false},
-    {FormatId::graphRecXml, "graphrec_xml", Holds::solution, Coordinates::scaled, false},
-    {FormatId::planViz, "planviz", Holds::solution},
+    {"graphml", FormatId::graphMl, Holds::graph},
+    {"movingai_map", FormatId::movingAiMap, Holds::graph, Coordinates::flatDown, false},
+    {"dimacs", FormatId::dimacs, Holds::graph, Coordinates::none},
+    {"edge_list", FormatId::edgeList, Holds::graph, Coordinates::none},
+    {"instance", FormatId::instanceText, Holds::instance},
+    {"movingai_scenario", FormatId::scenario, Holds::instance, Coordinates::flatDown, false},
+    {"cpf", FormatId::cpf, Holds::instance, Coordinates::none, false},
+    {"kei18_instance", FormatId::kei18Instance, Holds::instance, Coordinates::flatDown, false},
+    {"libmrp_instance", FormatId::libMrpInstance, Holds::instance, Coordinates::flatUp, false},
+    {"solution", FormatId::solutionCsv, Holds::solution},
+    {"surynek_solution", FormatId::surynekSolution, Holds::solution},
+    {"kei18_result", FormatId::kei18Result, Holds::solution},
+    {"libmrp_schedule", FormatId::libMrpSchedule, Holds::solution},
+    {"paths", FormatId::paths, Holds::solution},
+    {"tracker_csv", FormatId::trackerCsv, Holds::solution},
+    {"tracker_json", FormatId::trackerJson, Holds::solution},
+    {"graphrec", FormatId::graphRec, Holds::solution, Coordinates::scaled, false},
+    {"graphrec_xml", FormatId::graphRecXml, Holds::solution, Coordinates::scaled, false},
+    {"planviz", FormatId::planViz, Holds::solution},
 };
 
 const char *toString(Holds holds)
