@@ -1,11 +1,11 @@
 #include "cli/Arguments.h"
 
+#include "cli/CampaignArguments.h"
 #include "cli/OneLine.h"
+#include "cli/Options.h"
 #include "framework/support/Config.h"
 #include "framework/support/Suggestion.h"
 #include "problems/generators/Generator.h"
-
-#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -21,57 +21,6 @@ namespace
 const std::vector<std::string> kListable = {"planners", "optimizers", "problems",
                                             "reports",  "metrics",    "formats"};
 const std::vector<std::string> kMotionRules = {"pebble", "parallel", "following", "rotation"};
-
-/// Refuses what is none of the words, with the nearest one.
-CLI::Validator oneOf(const std::vector<std::string> &words)
-{
-    std::string description;
-    for (const std::string &word : words)
-        description += (description.empty() ? "" : "|") + word;
-    return {[words](std::string &word) -> std::string
-            {
-                if (std::find(words.begin(), words.end(), word) != words.end())
-                    return {};
-                return "'" + word + "' is not known" + suggestion(word, words);
-            },
-            description};
-}
-
-CLI::Validator numberAbove0()
-{
-    return {[](std::string &text) -> std::string
-            {
-                const auto number = parseNumber(text);
-                return number && *number > 0 ? std::string() : "'" + text + "' is not a number above 0";
-            },
-            ""};
-}
-
-CLI::Validator wholeNumberFrom(std::int64_t low)
-{
-    return {[low](std::string &text) -> std::string
-            {
-                const auto number = parseInteger(text);
-                return number && *number >= low
-                           ? std::string()
-                           : "'" + text + "' is not a whole number from " + std::to_string(low) + " on";
-            },
-            ""};
-}
-
-template <class T>
-CLI::Option *optional(CLI::App &command, const std::string &flag, std::optional<T> &slot,
-                      const std::string &help)
-{
-    if constexpr (std::is_same_v<T, std::filesystem::path>)
-        return command
-            .add_option_function<std::string>(
-                flag, [&slot](const std::string &text) { slot = text; }, help)
-            ->type_name("FILE");
-    else
-        return command.add_option_function<T>(
-            flag, [&slot](const T &value) { slot = value; }, help);
-}
 
 void addRun(CLI::App &app, Arguments &result)
 {
@@ -99,6 +48,7 @@ Examples:
         ->check(wholeNumberFrom(1));
     command->add_option("--shard", *shard, "Only the i-th of n parts")->type_name("i/n");
     command->add_flag("--dry-run", arguments->dryRun, "Say what would be run, and run nothing");
+    command->add_flag("--no-report", arguments->noReport, "Leave the reports to `mrppsim report`");
     command->add_flag("-q,--quiet", arguments->quiet, "No progress");
     command->callback(
         [arguments, shard, &result]
@@ -424,6 +374,8 @@ Exit codes: 0 yes or done; 1 a truthful no; 2 wrong use or malformed input; 3 a 
     app.require_subcommand(1);
     addRun(app, result);
     addReport(app, result);
+    addMerge(app, result);
+    addReplay(app, result);
     addSolve(app, result);
     addCheck(app, result);
     addValidate(app, result);

@@ -26,6 +26,7 @@ struct RunArguments
     std::int64_t shard = 1;
     std::int64_t shards = 1;
     bool dryRun = false;
+    bool noReport = false;
     bool quiet = false;
 };
 
@@ -33,6 +34,23 @@ struct ReportArguments
 {
     std::filesystem::path folder;
     std::vector<std::string> only; ///< the plan's reports where empty
+};
+
+struct MergeArguments
+{
+    std::filesystem::path out;
+    std::vector<std::filesystem::path> folders;
+};
+
+struct ReplayArguments
+{
+    std::filesystem::path folder;
+    std::string key;        ///< or how it begins
+    bool inProcess = false; ///< for debuggers
+    std::optional<std::filesystem::path> graph;
+    std::optional<std::filesystem::path> instance;
+    std::optional<std::filesystem::path> solution;
+    std::optional<std::filesystem::path> json;
 };
 
 struct SolveArguments
@@ -110,9 +128,9 @@ struct Answered
     ExitCode code = ExitCode::done;
 };
 
-using Arguments =
-    std::variant<Answered, RunArguments, ReportArguments, SolveArguments, CheckArguments, ValidateArguments,
-                 ConvertArguments, GenerateArguments, ListArguments, WorkerArguments>;
+using Arguments = std::variant<Answered, RunArguments, ReportArguments, MergeArguments, ReplayArguments,
+                               SolveArguments, CheckArguments, ValidateArguments, ConvertArguments,
+                               GenerateArguments, ListArguments, WorkerArguments>;
 
 /// Prints help to the standard output, complaints to the standard error.
 /// \param catalog whose generators have an option for each of their parameters

@@ -7,11 +7,16 @@
 #include "cli/ExitCode.h"
 #include "framework/Catalog.h"
 
+#include <string>
+#include <vector>
+
 namespace mrpp
 {
 
 [[nodiscard]] ExitCode run(const RunArguments &arguments, const Catalog &catalog);
 [[nodiscard]] ExitCode report(const ReportArguments &arguments, const Catalog &catalog);
+[[nodiscard]] ExitCode merge(const MergeArguments &arguments, const Catalog &catalog);
+[[nodiscard]] ExitCode replay(const ReplayArguments &arguments, const Catalog &catalog);
 [[nodiscard]] ExitCode solve(const SolveArguments &arguments, const Catalog &catalog);
 [[nodiscard]] ExitCode check(const CheckArguments &arguments);
 [[nodiscard]] ExitCode validate(const ValidateArguments &arguments);
@@ -20,5 +25,7 @@ namespace mrpp
 [[nodiscard]] ExitCode list(const ListArguments &arguments, const Catalog &catalog);
 /// What `run` starts for isolation `process`; not for people.
 [[nodiscard]] ExitCode worker(const Catalog &catalog);
+/// How a campaign starts one.
+[[nodiscard]] std::vector<std::string> workerCommand();
 
 } // namespace mrpp

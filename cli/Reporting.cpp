@@ -4,12 +4,29 @@
 #include "framework/campaign/ResultStore.h"
 #include "framework/campaign/ResultTable.h"
 #include "framework/support/File.h"
+#include "yaml/PlanReader.h"
 
 #include <algorithm>
 #include <iostream>
 
 namespace mrpp
 {
+
+BenchmarkPlan campaignPlan(const std::filesystem::path &folder, const Catalog &catalog,
+                           const std::optional<std::string> &text)
+{
+    const std::filesystem::path copy = folder / "plan.yaml";
+    const std::filesystem::path provenanceFile = folder / "provenance.json";
+    std::error_code error;
+    if (!std::filesystem::exists(copy, error) || !std::filesystem::exists(provenanceFile, error))
+        throw FileError({folder.string()},
+                        "is no campaign's folder (plan.yaml and provenance.json are missing); "
+                        "`mrppsim run` makes one");
+    const Provenance provenance = Provenance::fromJson(readFile(provenanceFile), provenanceFile);
+    return parsePlan(text ? *text : readFile(copy),
+                     std::filesystem::path(provenance.planFolder) / provenance.planFile, catalog,
+                     {provenance.mapFolders.begin(), provenance.mapFolders.end()});
+}
 
 std::vector<std::filesystem::path> writeReports(const BenchmarkPlan &plan,
                                                 const std::vector<std::string> &kinds,

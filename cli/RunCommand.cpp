@@ -1,4 +1,5 @@
 #include "cli/Commands.h"
+#include "cli/Counted.h"
 #include "cli/Interruption.h"
 #include "cli/KeptFiles.h"
 #include "cli/OneLine.h"
@@ -19,12 +20,6 @@ namespace mrpp
 
 namespace
 {
-
-/// `value word` or `value words`.
-std::string counted(std::size_t count, const std::string &word)
-{
-    return std::to_string(count) + " " + word + (count == 1 ? "" : "s");
-}
 
 ExitCode dryRun(const BenchmarkPlan &plan, const std::filesystem::path &folder)
 {
@@ -118,7 +113,7 @@ Benchmark::Summary runCampaign(Benchmark &benchmark, const RunArguments &argumen
     request.folder = folder;
     request.jobs = arguments.jobs;
     if (benchmark.plan().execution.isolation == "process")
-        request.worker = {"/proc/self/exe", "worker"}; // this very program, even if its file is replaced
+        request.worker = workerCommand();
     request.shard = arguments.shard;
     request.shards = arguments.shards;
     request.onFinished = [&kept](const RunSpec &spec, const RunResult &result) { kept.write(spec, result); };
@@ -148,7 +143,8 @@ ExitCode run(const RunArguments &arguments, const Catalog &catalog)
         return ExitCode::interrupted;
     }
     sayResult(summary);
-    sayWhere(writeReports(benchmark.plan(), benchmark.plan().reports, folder, catalog), folder);
+    if (!arguments.noReport)
+        sayWhere(writeReports(benchmark.plan(), benchmark.plan().reports, folder, catalog), folder);
     if (summary.statuses.contains(PlannerStatus::invalid))
     {
         std::cerr << "a planner claimed solutions that are wrong: see the runs with status invalid\n";

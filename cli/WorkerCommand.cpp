@@ -16,4 +16,9 @@ ExitCode worker(const Catalog &catalog)
     return code == 0 ? ExitCode::done : ExitCode::wrongUse;
 }
 
+std::vector<std::string> workerCommand()
+{
+    return {"/proc/self/exe", "worker"}; // this very program, even if its file is replaced
+}
+
 } // namespace mrpp

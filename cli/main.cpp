@@ -25,6 +25,8 @@ struct Dispatch
     ExitCode operator()(const Answered &answered) const { return answered.code; }
     ExitCode operator()(const RunArguments &arguments) const { return run(arguments, catalog); }
     ExitCode operator()(const ReportArguments &arguments) const { return report(arguments, catalog); }
+    ExitCode operator()(const MergeArguments &arguments) const { return merge(arguments, catalog); }
+    ExitCode operator()(const ReplayArguments &arguments) const { return replay(arguments, catalog); }
     ExitCode operator()(const SolveArguments &arguments) const { return solve(arguments, catalog); }
     ExitCode operator()(const CheckArguments &arguments) const { return check(arguments); }
     ExitCode operator()(const ValidateArguments &arguments) const { return validate(arguments); }

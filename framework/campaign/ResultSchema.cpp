@@ -110,6 +110,23 @@ void openResultSchema(sqlite::Connection &database, const std::filesystem::path 
         throw FileError({file.string()}, "does not say which version of the store it is; use another folder");
 }
 
+RunRecord recordOf(const sqlite::Statement &row)
+{
+    RunRecord record;
+    for (int i = 0; i < row.columnCount(); ++i)
+    {
+        const std::string name = row.columnName(i);
+        const Value value = row.column(i);
+        if (name == "status")
+            record.status = static_cast<PlannerStatus>(row.integer(i));
+        else if (const RunColumn *column = findRunColumn(name))
+            column->set(record, value);
+        else if (!isKeyColumn(name) && !std::holds_alternative<std::monostate>(value))
+            record.extra[name] = value;
+    }
+    return record;
+}
+
 bool isKeyColumn(const std::string &name)
 {
     return name == "id" || name == "experimentid" || name == "plannerid" || name == "solved";

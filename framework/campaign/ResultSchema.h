@@ -14,6 +14,9 @@ namespace mrpp
 /// FileError.
 void openResultSchema(sqlite::Connection &database, const std::filesystem::path &file, bool mayCreate);
 
+/// The record in a row of `SELECT * FROM runs`.
+[[nodiscard]] RunRecord recordOf(const sqlite::Statement &row);
+
 /// Columns of `runs` that are not columns of RunRecord.
 [[nodiscard]] bool isKeyColumn(const std::string &name);
 

@@ -321,21 +321,15 @@ std::vector<RunRecord> ResultStore::records() const
     sqlite::Statement query(database_->connection, "SELECT * FROM runs ORDER BY id");
     std::vector<RunRecord> records;
     while (query.step())
-    {
-        RunRecord &record = records.emplace_back();
-        for (int i = 0; i < query.columnCount(); ++i)
-        {
-            const std::string name = query.columnName(i);
-            const Value value = query.column(i);
-            if (name == "status")
-                record.status = static_cast<PlannerStatus>(query.integer(i));
-            else if (const RunColumn *column = findRunColumn(name))
-                column->set(record, value);
-            else if (!isKeyColumn(name) && !std::holds_alternative<std::monostate>(value))
-                record.extra[name] = value;
-        }
-    }
+        records.push_back(recordOf(query));
     return records;
+}
+
+std::optional<std::string> ResultStore::planText(const std::string &runKey) const
+{
+    sqlite::Statement query(database_->connection, "SELECT setup FROM experiments JOIN runs "
+                                                   "ON experiments.id = experimentid WHERE run_key = ?");
+    return query.bind(1, runKey).step() ? std::optional(query.text(0)) : std::nullopt;
 }
 
 std::optional<Solution> ResultStore::solution(const std::string &runKey) const

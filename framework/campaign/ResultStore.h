@@ -60,6 +60,9 @@ public:
     /// All finished runs, in the order in which they were kept.
     [[nodiscard]] std::vector<RunRecord> records() const;
 
+    /// The plan that a finished run belongs to, verbatim; nothing where there is no such run.
+    [[nodiscard]] std::optional<std::string> planText(const std::string &runKey) const;
+
     /// A run's solution, where it was kept. Throws FileError where it is damaged.
     [[nodiscard]] std::optional<Solution> solution(const std::string &runKey) const;
 

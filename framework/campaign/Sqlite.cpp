@@ -155,6 +155,12 @@ Statement &Statement::bind(int parameter, std::span<const std::uint8_t> bytes)
     return *this;
 }
 
+Statement &Statement::bind(int parameter, const Statement &row, int column)
+{
+    connection_.check(sqlite3_bind_value(handle_, parameter, sqlite3_column_value(row.handle_, column)));
+    return *this;
+}
+
 bool Statement::step()
 {
     const int code = sqlite3_step(handle_);

@@ -67,6 +67,8 @@ public:
 
     Statement &bind(int parameter, const Value &value);
     Statement &bind(int parameter, std::span<const std::uint8_t> bytes);
+    /// The cell of another statement's row, whatever its type.
+    Statement &bind(int parameter, const Statement &row, int column);
 
     /// True while there is a row. Throws FileError.
     bool step();
