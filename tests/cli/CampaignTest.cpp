@@ -19,30 +19,6 @@ namespace
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-/// Two planners over small and random instances, everything kept; `repetitions` makes it as long as needed.
-std::string plan(int repetitions)
-{
-    return "campaign: test\nseed: 5\nrepetitions: " + std::to_string(repetitions) +
-           R"(
-limits: {time: 20 s}
-problems:
-  - small_benchmark: [tree, connector]
-  - public_benchmark: {map: room.map, robots: [2, 4]}
-planners:
-  - push_and_swap
-  - {planner: push_and_swap, name: another order, set: {order: random}}
-optimizers: [redundancy_removal]
-reports: [csv]
-keep: {instances: true, solutions: true}
-)";
-}
-
-void prepare(const Scratch &scratch, int repetitions)
-{
-    scratch.write("room.map", "type octile\nheight 4\nwidth 5\nmap\n.....\n.@@..\n..@..\n.....\n");
-    scratch.write("plan.yaml", plan(repetitions));
-}
-
 /// Waits until the campaign has kept that many solutions.
 void awaitSolutions(const Scratch &scratch, const std::string &folder, std::size_t count)
 {
@@ -79,7 +55,7 @@ TEST(Campaign, findsItsMapsWhereItIsTold)
 TEST(Campaign, aSecondTimeKeepsEverythingAndRunsNothing)
 {
     const Scratch scratch;
-    prepare(scratch, 2);
+    prepareCampaign(scratch, 2);
     const Outcome first = mrppsim({"run", "plan.yaml"}, scratch);
     ASSERT_EQ(first.code, 0) << first.err;
     EXPECT_THAT(first.out, HasSubstr("16 runs (16 now, 0 before)"));
@@ -93,7 +69,7 @@ TEST(Campaign, aSecondTimeKeepsEverythingAndRunsNothing)
 TEST(Campaign, twoFoldersAndTwoJobsGiveTheSameBytes)
 {
     const Scratch scratch;
-    prepare(scratch, 3);
+    prepareCampaign(scratch, 3);
     ASSERT_EQ(mrppsim({"run", "plan.yaml", "-o", "one"}, scratch).code, 0);
     ASSERT_EQ(mrppsim({"run", "plan.yaml", "-o", "two", "--jobs", "2", "--quiet"}, scratch).code, 0);
     EXPECT_EQ(scratch.tree("one/instances").size(), 2U * 12U);
@@ -104,7 +80,7 @@ TEST(Campaign, twoFoldersAndTwoJobsGiveTheSameBytes)
 TEST(Campaign, anotherOrderOfProblemsAndPlannersGivesTheSameAnswers)
 {
     const Scratch scratch;
-    prepare(scratch, 2);
+    prepareCampaign(scratch, 2);
     scratch.write("other.yaml", R"(campaign: test
 seed: 5
 repetitions: 2
@@ -127,7 +103,7 @@ keep: {instances: true, solutions: true}
 TEST(Campaign, keptInstancesAndSolutionsFitTogether)
 {
     const Scratch scratch;
-    prepare(scratch, 1);
+    prepareCampaign(scratch, 1);
     ASSERT_EQ(mrppsim({"run", "plan.yaml", "-o", "one"}, scratch).code, 0);
     const auto solutions = scratch.tree("one/solutions");
     ASSERT_EQ(solutions.size(), 8U);
@@ -148,7 +124,7 @@ TEST(Campaign, interruptionsEndCleanlyAndTheSameCommandGoesOn)
     for (const int signal : {SIGINT, SIGTERM})
     {
         const Scratch scratch;
-        prepare(scratch, 30);
+        prepareCampaign(scratch, 30);
         Process process(mrppsimWords({"run", "plan.yaml", "-o", "one"}), scratch);
         awaitSolutions(scratch, "one", 20);
         process.signal(signal);
@@ -169,7 +145,7 @@ TEST(Campaign, interruptionsEndCleanlyAndTheSameCommandGoesOn)
 TEST(Campaign, killedInTheMiddleItLosesNoFinishedRunAndRepeatsNone)
 {
     const Scratch scratch;
-    prepare(scratch, 50);
+    prepareCampaign(scratch, 50);
     for (const std::size_t solutions : {20U, 120U, 250U})
     {
         Process process(mrppsimWords({"run", "plan.yaml", "-o", "one", "--jobs", "2"}), scratch);
@@ -195,7 +171,7 @@ TEST(Campaign, killedInTheMiddleItLosesNoFinishedRunAndRepeatsNone)
 TEST(Campaign, halfWrittenFilesOfAKilledOneAreCleanedUp)
 {
     const Scratch scratch;
-    prepare(scratch, 1);
+    prepareCampaign(scratch, 1);
     scratch.write("one/instances/small_benchmark/tree/0.graphml.a1B2c3", "half");
     scratch.write("one/solutions/small_benchmark/tree/0.push_and_swap.csv.X1Y2z3", "half");
     ASSERT_EQ(mrppsim({"run", "plan.yaml", "-o", "one"}, scratch).code, 0);
@@ -206,7 +182,7 @@ TEST(Campaign, halfWrittenFilesOfAKilledOneAreCleanedUp)
 TEST(Campaign, shardsAreApartAndTogetherTheWhole)
 {
     const Scratch scratch;
-    prepare(scratch, 3);
+    prepareCampaign(scratch, 3);
     ASSERT_EQ(mrppsim({"run", "plan.yaml", "-o", "whole"}, scratch).code, 0);
     std::set<std::vector<std::string>> rows;
     std::size_t count = 0;
@@ -228,7 +204,7 @@ TEST(Campaign, shardsAreApartAndTogetherTheWhole)
 TEST(Campaign, aReportNeedsNeitherTheMapsNorTheFirstPlace)
 {
     const Scratch scratch;
-    prepare(scratch, 1);
+    prepareCampaign(scratch, 1);
     ASSERT_EQ(mrppsim({"run", "plan.yaml", "-o", "one"}, scratch).code, 0);
     const std::string results = scratch.read("one/results.csv");
     std::filesystem::remove(scratch.path() / "room.map");
@@ -246,7 +222,7 @@ TEST(Campaign, aReportNeedsNeitherTheMapsNorTheFirstPlace)
 TEST(Campaign, aDryRunSaysAndWritesNothingElse)
 {
     const Scratch scratch;
-    prepare(scratch, 2);
+    prepareCampaign(scratch, 2);
     const auto before = scratch.tree();
     const Outcome outcome = mrppsim({"run", "plan.yaml", "--dry-run"}, scratch);
     EXPECT_EQ(outcome.code, 0);

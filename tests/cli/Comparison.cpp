@@ -28,6 +28,29 @@ std::vector<std::string> differences(const Files &a, const Files &b)
 
 } // namespace
 
+std::string campaignPlan(int repetitions)
+{
+    return "campaign: test\nseed: 5\nrepetitions: " + std::to_string(repetitions) +
+           R"(
+limits: {time: 20 s}
+problems:
+  - small_benchmark: [tree, connector]
+  - public_benchmark: {map: room.map, robots: [2, 4]}
+planners:
+  - push_and_swap
+  - {planner: push_and_swap, name: another order, set: {order: random}}
+optimizers: [redundancy_removal]
+reports: [csv]
+keep: {instances: true, solutions: true}
+)";
+}
+
+void prepareCampaign(const Scratch &scratch, int repetitions)
+{
+    scratch.write("room.map", "type octile\nheight 4\nwidth 5\nmap\n.....\n.@@..\n..@..\n.....\n");
+    scratch.write("plan.yaml", campaignPlan(repetitions));
+}
+
 std::vector<std::vector<std::string>> lastingResults(const Scratch &scratch, const std::string &folder)
 {
     auto rows = parseCsv(scratch.read(folder + "/results.csv"));

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Whether two campaigns came to the same results.
+/// A campaign for tests, and whether two came to the same results.
 
 #include "tests/cli/Program.h"
 
@@ -9,6 +9,12 @@
 
 namespace mrpp::test
 {
+
+/// Two planners over small and random instances, everything kept; `repetitions` makes it as long as needed.
+[[nodiscard]] std::string campaignPlan(int repetitions);
+
+/// Writes that plan (plan.yaml) and its map.
+void prepareCampaign(const Scratch &scratch, int repetitions);
 
 /// results.csv without what may differ between two runs: times, memory, attempts.
 [[nodiscard]] std::vector<std::vector<std::string>> lastingResults(const Scratch &scratch,

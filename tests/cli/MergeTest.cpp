@@ -14,26 +14,6 @@ namespace
 
 using ::testing::HasSubstr;
 
-constexpr const char *kPlan = R"(campaign: test
-seed: 5
-repetitions: 3
-problems:
-  - small_benchmark: [tree, connector]
-  - public_benchmark: {map: room.map, robots: [2, 4]}
-planners:
-  - push_and_swap
-  - {planner: push_and_swap, name: another order, set: {order: random}}
-optimizers: [redundancy_removal]
-reports: [csv]
-keep: {instances: true, solutions: true}
-)";
-
-void prepare(const Scratch &scratch)
-{
-    scratch.write("room.map", "type octile\nheight 4\nwidth 5\nmap\n.....\n.@@..\n..@..\n.....\n");
-    scratch.write("plan.yaml", kPlan);
-}
-
 void runPart(const Scratch &scratch, const std::string &folder, const std::string &shard,
              const std::string &plan = "plan.yaml")
 {
@@ -45,7 +25,7 @@ void runPart(const Scratch &scratch, const std::string &folder, const std::strin
 /// A whole campaign, and its three parts.
 void runAll(const Scratch &scratch)
 {
-    prepare(scratch);
+    prepareCampaign(scratch, 3);
     runPart(scratch, "whole", "1/1");
     for (const char *part : {"1", "2", "3"})
         runPart(scratch, std::string("part") + part, std::string(part) + "/3");
@@ -143,11 +123,12 @@ TEST(Merge, knowsThatLimitsEndRunsNowAndThen)
 TEST(Merge, refusesOtherPlansAndSaysWhatDiffers)
 {
     const Scratch scratch;
-    prepare(scratch);
-    std::string other = kPlan;
+    prepareCampaign(scratch, 3);
+    const std::string plan = scratch.read("plan.yaml");
+    std::string other = plan;
     other.replace(other.find("seed: 5"), 7, "seed: 6");
     scratch.write("other.yaml", other);
-    scratch.write("longer.yaml", std::string(kPlan) + "# the end\n");
+    scratch.write("longer.yaml", plan + "# the end\n");
     runPart(scratch, "one", "1/2");
     runPart(scratch, "two", "2/2", "other.yaml");
     runPart(scratch, "three", "2/2", "longer.yaml");
@@ -157,7 +138,7 @@ TEST(Merge, refusesOtherPlansAndSaysWhatDiffers)
               "two/plan.yaml:2:1: here is 'seed: 6', but 'seed: 5' in one/plan.yaml; only parts of "
               "one campaign can be merged\n");
     EXPECT_EQ(mrppsim({"merge", "all", "one", "three"}, scratch).err,
-              "three/plan.yaml:13:1: here is '# the end', but the end in one/plan.yaml; only parts of one "
+              "three/plan.yaml:14:1: here is '# the end', but the end in one/plan.yaml; only parts of one "
               "campaign can be merged\n");
     EXPECT_FALSE(scratch.has("all"));
 }
@@ -165,7 +146,7 @@ TEST(Merge, refusesOtherPlansAndSaysWhatDiffers)
 TEST(Merge, leavesOtherFoldersAlone)
 {
     const Scratch scratch;
-    prepare(scratch);
+    prepareCampaign(scratch, 3);
     runPart(scratch, "one", "1/2");
     scratch.write("thesis/chapter1.tex", "done");
     const Outcome outcome = mrppsim({"merge", "thesis", "one"}, scratch);
@@ -180,7 +161,7 @@ TEST(Merge, leavesOtherFoldersAlone)
 TEST(Merge, keepsColumnsTablesAndProgressOfEveryStore)
 {
     const Scratch scratch;
-    prepare(scratch);
+    prepareCampaign(scratch, 3);
     runPart(scratch, "one", "1/2");
     runPart(scratch, "two", "2/2");
     change(
