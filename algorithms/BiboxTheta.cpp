@@ -142,16 +142,24 @@ RestartingPlanner::Outcome BiboxTheta::attempt(std::uint64_t number, const Termi
     while (occupants[puzzle.blank] != kNoRobot)
         ++puzzle.blank;
 
+    if (ptc())
+        return stopped();
     std::vector<Vertex> walk;
     BlockObstacle what = obstacle(puzzle);
+    if (ptc())
+        return stopped();
     if (what != BlockObstacle::none && instance().freeCount() > 1)
     {
         walk = changeRoles(*block.graph, occupants, puzzle);
+        if (ptc())
+            return stopped();
         what = obstacle(puzzle);
         assert(what == BlockObstacle::none);
     }
     if (what != BlockObstacle::none)
         return {PlannerStatus::infeasible, describe(what, *blocks_, 0), {}};
+    if (ptc())
+        return stopped();
     const auto rest = solveBlock(puzzle, static_cast<std::size_t>(coreSize_), ptc);
     if (!rest)
         return stopped();

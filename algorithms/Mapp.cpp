@@ -98,6 +98,8 @@ RestartingPlanner::Outcome Mapp::attempt(std::uint64_t number, const Termination
     const mapp::Settings settings = this->settings();
     PathFinder paths(graph(), *landmarks_);
     PebbleBoard board(instance());
+    if (ptc())
+        return {PlannerStatus::timeout, {}, {}};
     Random random(attemptSeed(number));
     const std::size_t robots = instance().robotCount();
     std::size_t slidable = 0;

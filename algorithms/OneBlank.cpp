@@ -391,6 +391,8 @@ RestartingPlanner::Outcome OneBlank::attempt(std::uint64_t number, const Termina
         }
         if (needsNothing)
             continue;
+        if (ptc())
+            return stopped();
         std::unique_ptr<const PreparedBlock> own;
         const std::size_t size = blocks_->vertices(block).size();
         if (number > 0 && size <= kMostShuffled)
@@ -405,7 +407,12 @@ RestartingPlanner::Outcome OneBlank::attempt(std::uint64_t number, const Termina
         for (const Vertex v : local.vertices)
             puzzle.targets.push_back(
                 names[v == trees.entry(block) ? trees.exit(block) : question.goals[occupants[v]]]);
-        if (const BlockObstacle what = obstacle(puzzle); what != BlockObstacle::none)
+        if (ptc())
+            return stopped();
+        const BlockObstacle what = obstacle(puzzle);
+        if (ptc())
+            return stopped();
+        if (what != BlockObstacle::none)
             return {PlannerStatus::infeasible, describe(what, *blocks_, block), {}};
         tasks.push_back({block, std::move(own), std::move(puzzle)});
     }
@@ -420,10 +427,14 @@ RestartingPlanner::Outcome OneBlank::attempt(std::uint64_t number, const Termina
             v = task.puzzle.block->vertices[v];
         walks[task.block] = std::move(*walk);
     }
+    if (ptc())
+        return stopped();
     Tour tour(graph(), *blocks_, trees, std::move(walks));
     for (const Room &room : list)
         if (room.mover != kNoRobot && !tour.append(room.blank, room.root, ptc))
             return stopped();
+    if (ptc())
+        return stopped();
     auto solution = movesOf(tour.take(), occupants, ptc);
     if (!solution)
         return stopped();

@@ -37,6 +37,8 @@ std::optional<std::string> PushAndRotate::reasonToReject(const Instance &instanc
 RestartingPlanner::Outcome PushAndRotate::start(const Run &run) const
 {
     PebbleBoard board(instance());
+    if (run.ptc())
+        return {PlannerStatus::timeout, {}, {}};
     PebbleOperations operations(board, run.ptc);
     return runWith(board, operations, run);
 }

@@ -38,6 +38,8 @@ std::optional<std::string> PushAndSpin::reasonToReject(const Instance &instance)
 RestartingPlanner::Outcome PushAndSpin::start(const Run &run) const
 {
     PebbleBoard board(instance());
+    if (run.ptc())
+        return {PlannerStatus::timeout, {}, {}};
     SpinOperations operations(board, prepared().blocks, run.ptc);
     return runWith(board, operations, run);
 }

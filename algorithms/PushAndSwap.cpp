@@ -16,9 +16,9 @@ namespace
 class Attempt
 {
 public:
-    Attempt(const Instance &instance, PathFinder &paths, std::vector<Robot> order, PathFinder::Cost swapPrice,
-            const TerminationCondition &ptc)
-        : instance_(instance), paths_(paths), order_(std::move(order)), ptc_(ptc), board_(instance),
+    Attempt(const Instance &instance, PebbleBoard board, PathFinder &paths, std::vector<Robot> order,
+            PathFinder::Cost swapPrice, const TerminationCondition &ptc)
+        : instance_(instance), paths_(paths), order_(std::move(order)), ptc_(ptc), board_(std::move(board)),
           operations_(board_, ptc), arrived_(instance.robotCount(), 0)
     {
         const Graph &graph = *instance.graph;
@@ -245,40 +245,54 @@ void PushAndSwap::clear()
 {
     Planner::clear();
     landmarks_.reset();
+    farFirst_.clear();
 }
 
 void PushAndSwap::setup()
 {
     landmarks_ = std::make_unique<Landmarks>(graph());
+    farFirst_ = farFirst();
+}
+
+std::vector<Robot> PushAndSwap::farFirst() const
+{
+    std::vector<Robot> order(instance().robotCount());
+    std::iota(order.begin(), order.end(), 0);
+    if (order.empty())
+        return order;
+    BreadthFirstSearch search(graph());
+    search.run(center(graph(), *landmarks_));
+    std::stable_sort(order.begin(), order.end(),
+                     [&](Robot a, Robot b)
+                     { return search.distance(instance().goals[a]) > search.distance(instance().goals[b]); });
+    return order;
 }
 
 std::vector<Robot> PushAndSwap::priorities(std::uint64_t attempt, std::int64_t retry) const
 {
+    const bool byChance = attempt > 0 || retry > 0 || order_ == "random";
+    if (!byChance && order_ == "far_first")
+        return farFirst_;
     std::vector<Robot> order(instance().robotCount());
     std::iota(order.begin(), order.end(), 0);
-    if (attempt > 0 || retry > 0 || order_ == "random")
-    {
+    if (byChance)
         Random(deriveSeed(attemptSeed(attempt), "order", retry)).shuffle(std::span(order));
-    }
-    else if (order_ == "far_first" && !order.empty())
-    {
-        BreadthFirstSearch search(graph());
-        search.run(center(graph(), *landmarks_));
-        std::stable_sort(
-            order.begin(), order.end(),
-            [&](Robot a, Robot b)
-            { return search.distance(instance().goals[a]) > search.distance(instance().goals[b]); });
-    }
     return order;
 }
 
 RestartingPlanner::Outcome PushAndSwap::attempt(std::uint64_t number, const TerminationCondition &ptc) const
 {
     PathFinder paths(graph(), *landmarks_);
+    if (ptc())
+        return {PlannerStatus::timeout, {}, {}};
     std::string reason;
     for (std::int64_t retry = 0; retry < attempts_; ++retry)
     {
-        Attempt attempt(instance(), paths, priorities(number, retry),
+        std::vector<Robot> order = priorities(number, retry);
+        PebbleBoard board(instance());
+        if (ptc())
+            return {PlannerStatus::timeout, {}, {}};
+        Attempt attempt(instance(), std::move(board), paths, std::move(order),
                         static_cast<PathFinder::Cost>(swapPrice_), ptc);
         const PlannerStatus status = attempt.run();
         if (status == PlannerStatus::solved)

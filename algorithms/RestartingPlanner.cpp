@@ -23,13 +23,13 @@ bool hasSolution(PlannerStatus status)
 class Best
 {
 public:
-    explicit Best(const Instance &instance) : instance_(instance) {}
+    Best(const Instance &instance, const TerminationCondition &ptc) : instance_(instance), ptc_(ptc) {}
 
     void offer(std::uint64_t number, RestartingPlanner::Outcome outcome)
     {
         const std::size_t away = hasSolution(outcome.status) ? awayAfter(outcome.solution) : kNoSolution;
         const std::size_t length =
-            away == 0 ? RedundancyRemoval().improve(instance_, outcome.solution, {}).pathLength()
+            away == 0 ? RedundancyRemoval().improve(instance_, outcome.solution, ptc_).pathLength()
                       : outcome.solution.pathLength();
         const Key key{away, length, number};
         const std::lock_guard lock(mutex_);
@@ -71,6 +71,7 @@ private:
     }
 
     const Instance &instance_;
+    const TerminationCondition &ptc_;
     std::mutex mutex_;
     Key key_{kNoSolution + 1, 0, 0};
     RestartingPlanner::Outcome outcome_{};
@@ -92,9 +93,9 @@ PlannerStatus RestartingPlanner::solve(const TerminationCondition &ptc)
     Outcome outcome = attempt(0, ptc);
     // The first attempt's proof, refusal or end of time stands; only chance can be tried again.
     const bool again = hasSolution(outcome.status) || outcome.status == PlannerStatus::gave_up;
-    if (restarts_ > 1 && again)
+    if (restarts_ > 1 && again && !ptc())
     {
-        Best best(instance());
+        Best best(instance(), ptc);
         best.offer(0, std::move(outcome));
         std::atomic<std::uint64_t> next = 1;
         const auto restarts = static_cast<std::uint64_t>(restarts_);

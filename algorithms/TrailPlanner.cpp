@@ -102,7 +102,10 @@ RestartingPlanner::Outcome TrailPlanner::attempt(std::uint64_t number, const Ter
     if (number > 0)
         return searchNearby(random, ptc);
 
-    Outcome outcome = runMainLoop(firstChoices(random), nullptr, ptc);
+    const Choices first = firstChoices(random);
+    if (ptc())
+        return {PlannerStatus::timeout, {}, {}};
+    Outcome outcome = runMainLoop(first, nullptr, ptc);
     // Other orders, then the long way that always works.
     constexpr int kOtherOrders = 10;
     for (int i = 0; i < kOtherOrders && outcome.status == PlannerStatus::gave_up; ++i)
@@ -160,7 +163,7 @@ RestartingPlanner::Outcome TrailPlanner::searchNearby(Random &random, const Term
     Outcome best = runMainLoop(choices, &random, ptc);
     if (runs == 1)
         return best;
-    std::size_t fewest = lengthWithoutRedundancy(best);
+    std::size_t fewest = lengthWithoutRedundancy(best, ptc);
     for (std::size_t i = 1; i < runs && !ptc(); ++i)
     {
         tried.order = choices.order;
@@ -170,7 +173,7 @@ RestartingPlanner::Outcome TrailPlanner::searchNearby(Random &random, const Term
         if (random.below(4) == 0)
             tried.settings.randomizePrices(random);
         Outcome outcome = runMainLoop(tried, &random, ptc);
-        const std::size_t length = lengthWithoutRedundancy(outcome);
+        const std::size_t length = lengthWithoutRedundancy(outcome, ptc);
         if (length > fewest)
             continue;
         fewest = length;
@@ -180,11 +183,12 @@ RestartingPlanner::Outcome TrailPlanner::searchNearby(Random &random, const Term
     return best;
 }
 
-std::size_t TrailPlanner::lengthWithoutRedundancy(const Outcome &outcome) const
+std::size_t TrailPlanner::lengthWithoutRedundancy(const Outcome &outcome,
+                                                  const TerminationCondition &ptc) const
 {
     if (outcome.status != PlannerStatus::solved)
         return std::numeric_limits<std::size_t>::max();
-    return RedundancyRemoval().improve(instance(), outcome.solution, {}).pathLength();
+    return RedundancyRemoval().improve(instance(), outcome.solution, ptc).pathLength();
 }
 
 RestartingPlanner::Outcome TrailPlanner::runMainLoop(const Choices &choices, Random *random,

@@ -85,7 +85,8 @@ private:
     Outcome fallBack(const TerminationCondition &ptc) const;
     Outcome searchNearby(Random &random, const TerminationCondition &ptc) const;
     [[nodiscard]] std::vector<Robot> unswappableRobots() const;
-    [[nodiscard]] std::size_t lengthWithoutRedundancy(const Outcome &outcome) const;
+    [[nodiscard]] std::size_t lengthWithoutRedundancy(const Outcome &outcome,
+                                                      const TerminationCondition &ptc) const;
 
     std::string order_ = "far_first";
     std::int64_t swapPrice_ = 10;
@@ -101,6 +102,10 @@ RestartingPlanner::Outcome TrailPlanner::runWith(PebbleBoard &board, Operations 
 {
     operations.restrictSwaps(prepared_->subgraphs, prepared_->assignment);
     operations.setRandom(run.random);
+    // On large graphs arranging the memory takes time.
+    const auto stopped = [] { return Outcome{PlannerStatus::timeout, {}, {}}; };
+    if (run.ptc())
+        return stopped();
     PathFinder paths(graph(), prepared_->landmarks);
     using Loop = TrailLoop<Operations>;
     if (run.choices == nullptr)
@@ -111,16 +116,21 @@ RestartingPlanner::Outcome TrailPlanner::runWith(PebbleBoard &board, Operations 
         if (loop.run(unswappableRobots()) == Loop::End::solved && transpositions.run())
             return {PlannerStatus::solved, {}, board.takeSolution()};
         if (run.ptc())
-            return {PlannerStatus::timeout, {}, {}};
+            return stopped();
         return {PlannerStatus::gave_up, "a swap within a subgraph failed", {}};
     }
+    if (run.ptc())
+        return stopped();
+    const std::vector<Robot> order = prepared_->priorities.arrange(run.choices->order);
+    if (run.ptc())
+        return stopped();
     Loop loop(instance(), board, operations, paths, run.ptc, run.choices->settings);
-    switch (loop.run(prepared_->priorities.arrange(run.choices->order)))
+    switch (loop.run(order))
     {
     case Loop::End::solved:
         return {PlannerStatus::solved, {}, board.takeSolution()};
     case Loop::End::stopped:
-        return {PlannerStatus::timeout, {}, {}};
+        return stopped();
     case Loop::End::stuck:
         break;
     }

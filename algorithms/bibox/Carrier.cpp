@@ -96,7 +96,7 @@ Vertex Carrier::nextStep(Vertex at)
     if (next == neighbors.end())
         return *best;
     std::size_t fewest = costOfFreeing(*best, at);
-    for (int i = 1; i < kMostCompared && next != neighbors.end(); ++i)
+    for (int i = 1; i < kMostCompared && next != neighbors.end() && !ptc_(); ++i)
     {
         const std::size_t moves = costOfFreeing(*next, at);
         if (moves < fewest)
@@ -119,6 +119,8 @@ bool Carrier::carry(Robot r, Vertex target)
             return false;
         const Vertex at = board_.position(r);
         const Vertex next = nextStep(at);
+        if (ptc_())
+            return false;
         makeFree(next, at);
         board_.move(r, next);
     }

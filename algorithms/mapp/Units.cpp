@@ -26,14 +26,16 @@ Units::Units(const Instance &instance, const PebbleBoard &board, PathFinder &pat
     }
     for (Robot r = 0; r < robots; ++r)
     {
-        if (!ptc())
-            plan(r, paths, ptc);
+        if (ptc())
+            return;
+        plan(r, paths, ptc);
         numbers_.resize(path_.size(), Alternates::kNone);
         offsets_.push_back(static_cast<std::uint32_t>(path_.size()));
         findCrossed(r);
     }
     isolateGoals();
-    rankUnits(random, ptc);
+    if (!ptc())
+        rankUnits(random, ptc);
 }
 
 std::size_t Units::slidableCount() const

@@ -31,6 +31,8 @@ std::string describe(BlockObstacle what, const Blocks &blocks, std::uint32_t blo
 std::optional<Solution> movesOf(std::vector<Vertex> walk, std::vector<Robot> occupants,
                                 const TerminationCondition &ptc)
 {
+    if (ptc())
+        return std::nullopt;
     reduceWalk(walk);
     std::vector<Move> moves;
     for (std::size_t i = 1; i < walk.size(); ++i)

@@ -181,9 +181,15 @@ public:
 
     std::optional<std::vector<Vertex>> solve()
     {
+        if (ptc_())
+            return std::nullopt;
         search_.run(board_.blankTarget());
+        if (ptc_())
+            return std::nullopt;
         chooseCore();
         moveHome();
+        if (ptc_())
+            return std::nullopt;
         for (std::size_t i = handles_->size(); i-- > coreHandles_;)
         {
             if (!operations_.fill((*handles_)[i]))
@@ -195,6 +201,8 @@ public:
             return std::nullopt;
         for (std::size_t i = wayHome_.size() - 1; i-- > 0;)
             board_.step(wayHome_[i]);
+        if (ptc_())
+            return std::nullopt;
         std::vector<Vertex> walk = board_.takeWalk();
         reduceWalk(walk);
         return walk;
@@ -325,6 +333,13 @@ PreparedBlock::PreparedBlock(const Blocks &blocks, std::uint32_t block, std::opt
     for (const Blocks::Edge &edge : blocks.edges(block))
         edges.push_back({nameOf(edge.a), nameOf(edge.b)});
     graph = Graph::fromEdges(vertices.size(), edges);
+    if (isBipartite)
+    {
+        BreadthFirstSearch search(*graph);
+        search.run(0);
+        for (Vertex v = 0; v < vertices.size(); ++v)
+            sides.push_back(static_cast<char>(search.distance(v) % 2));
+    }
     if (blocks.isEdge(block) || blocks.isCycle(block))
         return;
     const EarDecomposition ears(*graph, isBipartite ? shortCycle(*graph) : shortOddCycle(*graph));
@@ -367,11 +382,9 @@ BlockObstacle obstacle(const BlockPuzzle &puzzle)
     }
     if (!puzzle.block->isBipartite)
         return BlockObstacle::none;
-    const bool odd = isOddPermutation(puzzle.targets);
-    BreadthFirstSearch search(graph);
-    search.run(puzzle.blank, puzzle.targets[puzzle.blank]);
-    const bool oddWay = search.distance(puzzle.targets[puzzle.blank]) % 2 != 0;
-    return odd != oddWay ? BlockObstacle::oddPermutation : BlockObstacle::none;
+    const std::vector<char> &sides = puzzle.block->sides;
+    const bool oddWay = sides[puzzle.blank] != sides[puzzle.targets[puzzle.blank]];
+    return isOddPermutation(puzzle.targets) != oddWay ? BlockObstacle::oddPermutation : BlockObstacle::none;
 }
 
 std::optional<std::vector<Vertex>> solveBlock(const BlockPuzzle &puzzle, std::size_t largestSearch,

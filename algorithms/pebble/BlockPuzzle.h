@@ -36,6 +36,7 @@ struct PreparedBlock
     std::vector<Vertex> vertices;       ///< their names in the whole graph
     std::shared_ptr<const Graph> graph; ///< without cut vertices, of two or more vertices
     bool isBipartite = false;
+    std::vector<char> sides;     ///< which of the two of a bipartite block, by vertex
     std::vector<Vertex> cycle;   ///< the first one, of odd length unless the block is bipartite …
     std::vector<Handle> handles; ///< … and what is added to it
 
@@ -67,7 +68,7 @@ enum class BlockObstacle
 /// Whether the graph is theta_0.
 [[nodiscard]] bool isThetaZero(const Graph &graph);
 
-/// O(V), and O(E) where the blank's way has to be found.
+/// O(V).
 [[nodiscard]] BlockObstacle obstacle(const BlockPuzzle &puzzle);
 
 /// A walk of the blank, from where it is to its target, that brings everybody home; nothing where the

@@ -17,8 +17,9 @@ namespace mrpp
 class CycleSearch
 {
 public:
-    explicit CycleSearch(const Graph &graph)
-        : graph_(graph), search_(graph.vertexCount()), depths_(graph.vertexCount()),
+    /// Finds none where the termination condition says stop. Keeps references to both.
+    CycleSearch(const Graph &graph, const TerminationCondition &ptc)
+        : graph_(graph), search_(graph.vertexCount(), &ptc), depths_(graph.vertexCount()),
           branches_(graph.vertexCount())
     {}
 

@@ -6,8 +6,8 @@ namespace mrpp
 {
 
 PebbleOperations::PebbleOperations(PebbleBoard &board, const TerminationCondition &ptc)
-    : board_(board), graph_(board.graph()), ptc_(ptc), freeSearch_(graph_.vertexCount()),
-      junctionSearch_(graph_.vertexCount()), avoidStamps_(graph_.vertexCount(), 0),
+    : board_(board), graph_(board.graph()), ptc_(ptc), freeSearch_(graph_.vertexCount(), &ptc),
+      junctionSearch_(graph_.vertexCount(), &ptc), avoidStamps_(graph_.vertexCount(), 0),
       cycleStamps_(graph_.vertexCount(), 0)
 {}
 

@@ -7,7 +7,8 @@
 /// guarantees", IJCAI 2011, pp. 294–300; B. de Wilde, A. W. ter Mors, C. Witteveen, "Push and Rotate: a
 /// complete multi-agent pathfinding algorithm", JAIR 51 (2014) 443–492, whose *clear* has all four stages.
 ///
-/// A public operation that returns false has left the board, and the moves so far, as they were.
+/// A public operation that returns false has left the board, and the moves so far, as they were: it cannot be
+/// done, or the termination condition says stop.
 
 #include "algorithms/pebble/PebbleBoard.h"
 #include "algorithms/pebble/StampedSearch.h"

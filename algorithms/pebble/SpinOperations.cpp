@@ -29,8 +29,8 @@ std::vector<Vertex> positions(const PebbleBoard &board)
 
 SpinOperations::SpinOperations(PebbleBoard &board, const Blocks &blocks, const TerminationCondition &ptc)
     : board_(board), graph_(board.graph()), blocks_(blocks), ptc_(ptc), pebble_(board, ptc),
-      free_(blocks, positions(board)), cycles_(graph_), siteSearch_(graph_.vertexCount()),
-      freeSearch_(graph_.vertexCount()), held_(board.robotCount(), 0)
+      free_(blocks, positions(board)), cycles_(graph_, ptc), siteSearch_(graph_.vertexCount(), &ptc),
+      freeSearch_(graph_.vertexCount(), &ptc), held_(board.robotCount(), 0)
 {}
 
 bool SpinOperations::push(Robot r, Vertex v, const std::vector<char> *stay)

@@ -21,7 +21,8 @@
 /// ICARCV 2016; "A complete multi-robot path-planning algorithm", Autonomous Agents and Multi-Agent Systems
 /// 32 (2018) 693–740.
 ///
-/// A public operation that returns false has left the board, and the moves so far, as they were.
+/// A public operation that returns false has left the board, and the moves so far, as they were: it cannot be
+/// done, or the termination condition says stop.
 
 #include "algorithms/pebble/CycleSearch.h"
 #include "algorithms/pebble/PebbleBoard.h"

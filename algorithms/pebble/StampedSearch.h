@@ -4,6 +4,7 @@
 /// it marks what belongs to the current search with a stamp, so that a search costs only what it visits.
 
 #include "framework/model/Graph.h"
+#include "framework/support/TerminationCondition.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -15,7 +16,10 @@ namespace mrpp
 class StampedSearch
 {
 public:
-    explicit StampedSearch(std::size_t vertexCount) : stamps_(vertexCount, 0), parents_(vertexCount) {}
+    /// \param ptc ends long searches; kept as a pointer. Null: nothing does
+    explicit StampedSearch(std::size_t vertexCount, const TerminationCondition *ptc = nullptr)
+        : ptc_(ptc), stamps_(vertexCount, 0), parents_(vertexCount)
+    {}
 
     /// Forgets the last search. O(1), but once in 2^32 times O(V).
     void begin()
@@ -39,13 +43,20 @@ public:
         queue_.push_back(v);
     }
 
-    [[nodiscard]] bool done() const { return head_ == queue_.size(); }
+    /// Nothing is left to look at; or the termination condition, which is asked now and then, says stop.
+    [[nodiscard]] bool done() const
+    {
+        constexpr std::size_t kPollInterval = 4096;
+        return head_ == queue_.size() ||
+               (head_ % kPollInterval == kPollInterval - 1 && ptc_ != nullptr && (*ptc_)());
+    }
     Vertex next() { return queue_[head_++]; }
 
     /// \pre visited(v)
     [[nodiscard]] Vertex parent(Vertex v) const { return parents_[v]; }
 
 private:
+    const TerminationCondition *ptc_;
     std::vector<std::uint32_t> stamps_;
     std::vector<Vertex> parents_;
     std::vector<Vertex> queue_;

@@ -2,6 +2,12 @@
 /// \file
 /// Cheapest paths between two vertices where entering a vertex has a small whole-number price: A* with
 /// landmark bounds and a bucket queue. Run many times on one graph; a search costs what it visits.
+///
+/// Where many vertices are dear, cheapest paths cost more than the bounds can know, and A* floods an area in
+/// place of a corridor. Searches that visit many more vertices than their paths have therefore weigh the
+/// bounds, as little as keeps them near the path (weighted A*: a path costs at most that weight times the
+/// cheapest; I. Pohl, "Heuristic search viewed as path finding in a graph", Artificial Intelligence 1, 1970).
+/// The weight is learnt from search to search. Graphs of up to kFewVisits vertices never see it.
 
 #include "algorithms/search/Landmarks.h"
 #include "framework/support/TerminationCondition.h"
@@ -10,6 +16,7 @@
 #include <array>
 #include <cassert>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace mrpp
@@ -31,30 +38,49 @@ public:
         : graph_(graph), landmarks_(landmarks), labels_(graph.vertexCount())
     {}
 
-    /// The cheapest path from `from` to `to`, both included; empty where there is none, or where the
-    /// termination condition says stop. Valid until the next call.
+    /// A search that visits more vertices than this, and kVisitsPerStep for each step that the path has at
+    /// least, weighs the bounds.
+    static constexpr std::size_t kFewVisits = 4096;
+    static constexpr std::size_t kVisitsPerStep = 8;
+
+    /// The cheapest path from `from` to `to`, both included, or on large graphs one of at most twice its
+    /// cost; empty where there is none, or where the termination condition says stop. Valid until the next
+    /// call.
     /// \param enterCost a function of a vertex: kStep … kMaxEnterCost, or kImpassable; the start's is not
     /// asked
     template <class EnterCost>
     const std::vector<Vertex> &find(Vertex from, Vertex to, const EnterCost &enterCost,
                                     const TerminationCondition &ptc = {})
     {
-        constexpr std::uint32_t kPollInterval = 4096;
-        std::uint32_t untilPoll = kPollInterval;
+        constexpr int kTries = 4;
+        const std::size_t enough = kFewVisits + kVisitsPerStep * landmarks_.lowerBound(from, to);
+        bool done = false;
+        for (int tries = 1; !done; ++tries)
+        {
+            const bool last = tries == kTries || weight_ == kMostWeight;
+            done = search(from, to, enterCost, last ? std::numeric_limits<std::size_t>::max() : enough, ptc);
+            weight_ += done ? 0 : 1;
+        }
+        if (4 * visits_ < enough && weight_ > kNoWeight)
+            --weight_;
+        return path_;
+    }
+
+private:
+    /// Makes path_. False where it came to nothing after so many visits.
+    template <class EnterCost>
+    bool search(Vertex from, Vertex to, const EnterCost &enterCost, std::size_t mostVisits,
+                const TerminationCondition &ptc)
+    {
+        constexpr std::size_t kPollInterval = 4096;
         begin();
         path_.clear();
-        reach(from, kNoVertex, 0, kStep * landmarks_.lowerBound(from, to));
+        reach(from, kNoVertex, 0, weighed(from, to));
         while (const auto open = pop())
         {
             const auto [v, cost] = *open;
             if (cost != labels_[v].cost)
                 continue;
-            if (--untilPoll == 0)
-            {
-                if (ptc())
-                    break;
-                untilPoll = kPollInterval;
-            }
             if (v == to)
             {
                 for (Vertex u = to; u != kNoVertex; u = labels_[u].parent)
@@ -62,6 +88,10 @@ public:
                 std::reverse(path_.begin(), path_.end());
                 break;
             }
+            if (++visits_ % kPollInterval == 0 && ptc())
+                break;
+            if (visits_ > mostVisits)
+                return false;
             for (const Vertex w : graph_.neighbors(v))
             {
                 const Cost price = enterCost(w);
@@ -69,14 +99,19 @@ public:
                     continue;
                 assert(price >= kStep && price <= kMaxEnterCost);
                 const Cost newCost = cost + price;
+                // Keys never fall: weights make the bounds inconsistent.
                 if (labels_[w].stamp != stamp_ || newCost < labels_[w].cost)
-                    reach(w, v, newCost, newCost + kStep * landmarks_.lowerBound(w, to));
+                    reach(w, v, newCost, std::max(key_, newCost + weighed(w, to)));
             }
         }
-        return path_;
+        return true;
     }
 
-private:
+    [[nodiscard]] Cost weighed(Vertex v, Vertex to) const
+    {
+        return kStep * landmarks_.lowerBound(v, to) * weight_ / kNoWeight;
+    }
+
     struct Open
     {
         Vertex vertex = kNoVertex;
@@ -93,16 +128,21 @@ private:
         std::uint32_t stamp = 0; ///< of the search that reached it last
     };
 
-    /// Keys grow by at most kMaxEnterCost + kStep from a vertex to its neighbour, so that a ring of buckets
-    /// does.
-    static constexpr std::size_t kBuckets = 128;
-    static_assert(kBuckets > kMaxEnterCost + kStep);
+    /// Weights are multiples of 1 / kNoWeight.
+    static constexpr Cost kNoWeight = 32;
+    static constexpr Cost kMostWeight = 2 * kNoWeight;
+
+    /// Keys grow by at most kMaxEnterCost and a weighed step from a vertex to its neighbour, so that a ring
+    /// of buckets does.
+    static constexpr std::size_t kBuckets = 256;
+    static_assert(kBuckets > kMaxEnterCost + kStep * kMostWeight / kNoWeight + 1);
 
     void begin()
     {
         for (auto &bucket : buckets_)
             bucket.clear();
         open_ = 0;
+        visits_ = 0;
         started_ = false;
         if (++stamp_ == 0)
         {
@@ -139,6 +179,8 @@ private:
     std::uint32_t stamp_ = 0;
     std::array<std::vector<Open>, kBuckets> buckets_;
     std::size_t open_ = 0;
+    std::size_t visits_ = 0;  ///< of the last search
+    Cost weight_ = kNoWeight; ///< of the next one
     Cost key_ = 0;
     bool started_ = false;
     std::vector<Vertex> path_;

@@ -4,6 +4,7 @@
 #include "framework/analysis/Blocks.h"
 #include "framework/evaluation/Validator.h"
 #include "problems/generators/Biconnected.h"
+#include "tests/algorithms/Planning.h"
 #include "tests/support/BiconnectedGraphs.h"
 #include "tests/support/BruteForce.h"
 #include "tests/support/CpuClock.h"
@@ -25,27 +26,13 @@ namespace mrpp
 namespace
 {
 
+using test::Answer;
 using ::testing::HasSubstr;
-using Settings = std::vector<std::pair<std::string, std::string>>;
-
-struct Answer
-{
-    PlannerStatus status = PlannerStatus::unknown;
-    Solution solution;
-    double cpuSeconds = 0; ///< of solve()
-};
+using Settings = test::PlannerSettings;
 
 Answer plan(const Instance &instance, const Settings &settings = {}, double seconds = 60)
 {
-    Bibox planner;
-    for (const auto &[name, value] : settings)
-        planner.parameters().set(name, value);
-    EXPECT_EQ(planner.reasonToReject(instance), std::nullopt);
-    planner.setInstance(std::make_shared<Instance>(instance));
-    planner.setup();
-    const double begin = test::cpuSeconds();
-    const PlannerStatus status = planner.solve(TerminationCondition::after(seconds));
-    return {status, planner.takeSolution(), test::cpuSeconds() - begin};
+    return test::plan<Bibox>(instance, settings, seconds);
 }
 
 /// How often something is tried: more than usual where the environment says so.

@@ -125,5 +125,41 @@ TEST(PathFinder, FindsCheapestPathsAmongPricesAndWalls)
     }
 }
 
+/// Where every fifth vertex is dear, the bounds promise too much, and A* alone would look at an area.
+TEST(PathFinder, StaysNearThePathOnLargeGraphs)
+{
+    constexpr std::size_t kSide = 300;
+    const auto graph = test::gridGraph(kSide, kSide);
+    const Landmarks landmarks(*graph);
+    PathFinder finder(*graph, landmarks);
+    Random random(3);
+    std::vector<PathFinder::Cost> prices(graph->vertexCount());
+    for (auto &price : prices)
+        price = PathFinder::kStep * (random.below(5) == 0 ? 2 : 1);
+    std::size_t asked = 0;
+    std::size_t steps = 0;
+    std::uint64_t cost = 0;
+    std::uint64_t least = 0;
+    for (int query = 0; query < 100; ++query)
+    {
+        const auto from = static_cast<Vertex>(random.below(kSide));
+        const auto to = static_cast<Vertex>(graph->vertexCount() - 1 - random.below(kSide));
+        const auto &path = finder.find(from, to,
+                                       [&](Vertex v)
+                                       {
+                                           ++asked;
+                                           return prices[v];
+                                       });
+        ASSERT_EQ(path.front(), from);
+        ASSERT_EQ(path.back(), to);
+        steps += path.size();
+        for (std::size_t i = 1; i < path.size(); ++i)
+            cost += prices[path[i]];
+        least += PathFinder::kStep * landmarks.lowerBound(from, to);
+    }
+    EXPECT_LT(asked, 100 * steps);
+    EXPECT_LT(cost, least + least / 10);
+}
+
 } // namespace
 } // namespace mrpp

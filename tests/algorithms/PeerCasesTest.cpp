@@ -77,10 +77,10 @@ TEST_P(PeerCases, AreSolvedFastAndShort)
         fastestPlan = std::min(fastestPlan, test::cpuSeconds() - start);
     }
     const Solution solution = planner->takeSolution();
-    const Verdict verdict = validate(*instance, solution, MotionRule::pebble);
+    const Verdict verdict = validate(*instance, solution, planner->specs().motion);
     EXPECT_TRUE(verdict.valid()) << verdict.violation;
     const Solution optimized = RedundancyRemoval().improve(*instance, solution, {});
-    EXPECT_TRUE(validate(*instance, optimized, MotionRule::pebble).valid());
+    EXPECT_TRUE(validate(*instance, optimized, planner->specs().motion).valid());
 
     const auto bounds = lowerBounds(*instance);
     ASSERT_TRUE(bounds);
@@ -122,6 +122,19 @@ INSTANTIATE_TEST_SUITE_P(
         PeerCase{"push_and_rotate", "warehouse_1000", kWarehouse, "warehouse-10-20-10-2-1.scen", 1000, 10000,
                  1.2},
         PeerCase{"push_and_rotate", "warehouse_2000", kWarehouse, "warehouse-10-20-10-2-1.scen", 2000, 20000,
+                 1.5}),
+    [](const auto &test) { return std::string(test.param.name); });
+
+INSTANTIATE_TEST_SUITE_P(
+    PushAndSpin, PeerCases,
+    testing::Values(
+        PeerCase{"push_and_spin", "AR0603SR_600", kGameMap, "AR0603SR.scen", 600, 600, 1.001},
+        PeerCase{"push_and_spin", "AR0603SR_2000", kGameMap, "AR0603SR.scen", 2000, 4000, 1.01},
+        PeerCase{"push_and_spin", "random_1000", kRandomMap, "random-64-64-20.scen", 1000, 5000, 1.25},
+        PeerCase{"push_and_spin", "random_2000", kRandomMap, "random-64-64-20.scen", 2000, 40000, 1.9},
+        PeerCase{"push_and_spin", "warehouse_1000", kWarehouse, "warehouse-10-20-10-2-1.scen", 1000, 10000,
+                 1.2},
+        PeerCase{"push_and_spin", "warehouse_2000", kWarehouse, "warehouse-10-20-10-2-1.scen", 2000, 40000,
                  1.5}),
     [](const auto &test) { return std::string(test.param.name); });
 

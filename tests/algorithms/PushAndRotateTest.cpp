@@ -1,77 +1,26 @@
 #include "algorithms/PushAndRotate.h"
 
 #include "algorithms/optimizers/RedundancyRemoval.h"
-#include "framework/Catalog.h"
 #include "framework/Problem.h"
 #include "framework/evaluation/Validator.h"
-#include "problems/Problems.h"
-#include "tests/support/BruteForce.h"
+#include "tests/algorithms/Planning.h"
+#include "tests/support/ConfigurationOrbits.h"
 #include "tests/support/CpuClock.h"
 #include "tests/support/RandomCases.h"
 #include "tests/support/SmallGraphs.h"
 
+#include <algorithm>
 #include <gtest/gtest.h>
-#include <map>
-#include <numeric>
 
 namespace mrpp
 {
 namespace
 {
 
-using Edges = std::vector<std::pair<Vertex, Vertex>>;
-
-std::shared_ptr<const Graph> graphOf(std::size_t vertices, const Edges &pairs)
-{
-    std::vector<Graph::Edge> edges;
-    for (const auto &[a, b] : pairs)
-        edges.push_back({a, b});
-    return Graph::fromEdges(vertices, edges);
-}
-
-Instance smallProblem(const std::string &name)
-{
-    Catalog catalog;
-    registerProblems(catalog);
-    const auto problem = catalog.problems.create("small_benchmark");
-    problem->configure(Config::scalar(name), {.catalog = &catalog});
-    const auto graph = problem->makeGraph(1);
-    return problem->makeInstance(graph, problem->robotCount(*graph), 1);
-}
-
-/// The planner with its last instance.
-class Rotator
-{
-public:
-    explicit Rotator(const char *restarts = "1", const char *threads = "0")
-    {
-        planner_.parameters().set("restarts", restarts);
-        planner_.parameters().set("threads", threads);
-    }
-
-    PlannerStatus operator()(const Instance &instance, Seed seed = 1, const TerminationCondition &ptc = {})
-    {
-        planner_.setInstance(std::make_shared<Instance>(instance));
-        planner_.setSeed(seed);
-        planner_.setup();
-        return planner_.solve(ptc);
-    }
-
-    [[nodiscard]] const Solution &solution() const { return planner_.solution(); }
-    [[nodiscard]] const std::string &reason() const { return planner_.reason(); }
-    /// How often the main loop failed and the certain way was taken.
-    [[nodiscard]] double fallbacks() const { return planner_.progressProperties().front().second(); }
-
-private:
-    PushAndRotate planner_;
-};
-
-void expectSolved(const Instance &instance, Rotator &run, Seed seed = 1)
-{
-    ASSERT_EQ(run(instance, seed), PlannerStatus::solved) << run.reason();
-    const Verdict verdict = validate(instance, run.solution(), MotionRule::pebble);
-    ASSERT_TRUE(verdict.valid()) << verdict.violation;
-}
+using test::Edges;
+using test::graphOf;
+using test::smallProblem;
+using Rotator = test::TrailRun<PushAndRotate>;
 
 struct Limits
 {
@@ -88,7 +37,7 @@ TEST_P(SmallProblemsByRotation, AreSolvedWithNoMoreMovesThanPublished)
 {
     const Instance instance = smallProblem(GetParam().problem);
     Rotator run;
-    expectSolved(instance, run);
+    run.expectSolved(instance);
     EXPECT_GE(run.solution().pathLength(), GetParam().fewest);
     EXPECT_LE(run.solution().pathLength(), GetParam().most);
 }
@@ -100,8 +49,8 @@ TEST_P(SmallProblemsByRotation, BecomeShortByRestarts)
     {
         Rotator run("1000");
         const double start = test::cpuSeconds();
-        expectSolved(instance, run, seed);
-        EXPECT_LT(test::cpuSeconds() - start, 2.0); // of all threads
+        run.expectSolved(instance, seed);
+        EXPECT_LT(test::cpuSeconds() - start, 1.0); // of all threads
         const Solution optimized = RedundancyRemoval().improve(instance, run.solution(), {});
         ASSERT_TRUE(validate(instance, optimized, MotionRule::pebble).valid());
         EXPECT_GE(optimized.pathLength(), GetParam().fewest);
@@ -142,7 +91,7 @@ TEST_P(RotationRegressions, AreSolvedByTheMainLoop)
 {
     const Regression &c = GetParam();
     Rotator run;
-    expectSolved({graphOf(c.vertices, c.edges), c.starts, c.goals}, run);
+    run.expectSolved({graphOf(c.vertices, c.edges), c.starts, c.goals});
     EXPECT_EQ(run.fallbacks(), 0);
 }
 
@@ -176,68 +125,6 @@ INSTANTIATE_TEST_SUITE_P(
                    {5, 2, 6, 8, 10, 1, 9, 4, 3}}),
     [](const auto &test) { return std::string(test.param.what); });
 
-/// The configurations of `robots` robots on a small graph, and which can be reached from which.
-class Configurations
-{
-public:
-    Configurations(const Graph &graph, std::size_t robots)
-    {
-        std::vector<Vertex> configuration;
-        enumerate(graph.vertexCount(), robots, configuration);
-        leader_.resize(all_.size());
-        std::iota(leader_.begin(), leader_.end(), std::size_t{0});
-        for (std::size_t i = 0; i < all_.size(); ++i)
-        {
-            std::vector<Vertex> moved = all_[i];
-            for (Vertex &position : moved)
-            {
-                const Vertex from = position;
-                for (const Vertex to : graph.neighbors(from))
-                {
-                    position = to;
-                    if (const auto next = numbers_.find(moved); next != numbers_.end())
-                        leader_[find(i)] = find(next->second);
-                }
-                position = from;
-            }
-        }
-    }
-
-    [[nodiscard]] std::size_t count() const { return all_.size(); }
-    [[nodiscard]] const std::vector<Vertex> &at(std::size_t i) const { return all_[i]; }
-    bool connected(std::size_t i, std::size_t j) { return find(i) == find(j); }
-
-private:
-    void enumerate(std::size_t vertices, std::size_t robots, std::vector<Vertex> &configuration)
-    {
-        if (configuration.size() == robots)
-        {
-            numbers_.emplace(configuration, all_.size());
-            all_.push_back(configuration);
-            return;
-        }
-        for (Vertex v = 0; v < vertices; ++v)
-        {
-            if (std::find(configuration.begin(), configuration.end(), v) != configuration.end())
-                continue;
-            configuration.push_back(v);
-            enumerate(vertices, robots, configuration);
-            configuration.pop_back();
-        }
-    }
-
-    std::size_t find(std::size_t i)
-    {
-        while (leader_[i] != i)
-            i = leader_[i] = leader_[leader_[i]];
-        return i;
-    }
-
-    std::vector<std::vector<Vertex>> all_;
-    std::map<std::vector<Vertex>, std::size_t> numbers_;
-    std::vector<std::size_t> leader_; ///< union-find over legal moves
-};
-
 /// Every connected graph, every number of robots that leaves two vertices free, every set of starts, every
 /// arrangement of goals (of the larger graphs, each `stride`-th): solved exactly where brute force can.
 void expectExact(std::size_t vertices, std::size_t stride)
@@ -249,20 +136,20 @@ void expectExact(std::size_t vertices, std::size_t stride)
     {
         for (std::size_t robots = 1; robots + 2 <= vertices; ++robots)
         {
-            Configurations all(*graph, robots);
-            for (std::size_t i = 0; i < all.count(); ++i)
+            const test::ConfigurationOrbits orbits(*graph, robots, MotionRule::pebble);
+            for (const auto &starts : orbits.configurations())
             {
-                if (!std::is_sorted(all.at(i).begin(), all.at(i).end()))
+                if (!std::is_sorted(starts.begin(), starts.end()))
                     continue;
-                for (std::size_t j = 0; j < all.count(); ++j)
+                for (const auto &goals : orbits.configurations())
                 {
                     if (++number % stride != 0)
                         continue;
-                    const Instance instance{graph, all.at(i), all.at(j)};
-                    if (all.connected(i, j))
+                    const Instance instance{graph, starts, goals};
+                    if (orbits.of(starts) == orbits.of(goals))
                     {
                         ++solvable;
-                        expectSolved(instance, run);
+                        run.expectSolved(instance);
                         ASSERT_EQ(run.fallbacks(), 0);
                     }
                     else
@@ -301,7 +188,7 @@ TEST(PushAndRotate, SolvesScrambledGraphsWithFewFreeVertices)
         const std::size_t vertices = 8 + random.below(60);
         const auto graph = test::randomConnectedGraph(vertices, random.below(4), seed);
         const Instance instance = test::randomSolvableInstance(graph, vertices - 2 - random.below(4), seed);
-        expectSolved(instance, run, seed);
+        run.expectSolved(instance, seed);
     }
 }
 
@@ -327,7 +214,7 @@ TEST(PushAndRotate, GivesEachComponentItsOwnFreeVertices)
                                     {18, 19}});
     const std::vector<Vertex> starts{1, 2, 3, 5, 6, 7, 8, 9, 11, 13, 14};
     Rotator run;
-    expectSolved({graph, starts, {2, 3, 1, 5, 6, 7, 10, 12, 8, 16, 17}}, run);
+    run.expectSolved({graph, starts, {2, 3, 1, 5, 6, 7, 10, 12, 8, 16, 17}});
     EXPECT_EQ(run({graph, starts, {2, 3, 1, 5, 6, 7, 8, 11, 9, 16, 17}}), PlannerStatus::infeasible);
     EXPECT_EQ(run({graph, starts, {2, 3, 1, 5, 6, 7, 10, 12, 8, 17, 16}}), PlannerStatus::infeasible);
     EXPECT_EQ(run({graph, {1}, {18}}), PlannerStatus::infeasible);
@@ -346,7 +233,7 @@ TEST(PushAndRotate, TurnsPolygonsWithoutLeavingTheOrder)
         for (std::size_t robots = 1; robots + 2 <= n; ++robots)
         {
             for (Seed seed = 1; seed <= 5; ++seed)
-                expectSolved(test::randomSolvableInstance(graph, robots, seed), run);
+                run.expectSolved(test::randomSolvableInstance(graph, robots, seed));
         }
     }
 }
@@ -367,8 +254,8 @@ TEST(PushAndRotate, IsTheSameForAnyNumberOfThreads)
     const Instance instance = smallProblem("connector");
     Rotator first("50", "1");
     Rotator second("50", "4");
-    expectSolved(instance, first, 7);
-    expectSolved(instance, second, 7);
+    first.expectSolved(instance, 7);
+    second.expectSolved(instance, 7);
     EXPECT_EQ(first.solution(), second.solution());
 }
 
@@ -377,8 +264,8 @@ TEST(PushAndRotate, KeepsTheBestOfRestartsOnMapsToo)
     const Instance instance = randomInstance(test::gridGraph(20, 20), 300, 5);
     Rotator once;
     Rotator often("6");
-    expectSolved(instance, once);
-    expectSolved(instance, often);
+    once.expectSolved(instance);
+    often.expectSolved(instance);
     const RedundancyRemoval removal;
     EXPECT_LE(removal.improve(instance, often.solution(), {}).pathLength(),
               removal.improve(instance, once.solution(), {}).pathLength());

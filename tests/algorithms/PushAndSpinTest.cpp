@@ -1,17 +1,15 @@
 #include "algorithms/PushAndSpin.h"
 
 #include "algorithms/optimizers/RedundancyRemoval.h"
-#include "framework/Catalog.h"
 #include "framework/Problem.h"
 #include "framework/analysis/LowerBounds.h"
-#include "framework/evaluation/Validator.h"
-#include "problems/Problems.h"
+#include "tests/algorithms/Planning.h"
 #include "tests/support/ConfigurationOrbits.h"
+#include "tests/support/PollWatch.h"
 #include "tests/support/RandomCases.h"
 #include "tests/support/SmallGraphs.h"
 
 #include <algorithm>
-#include <chrono>
 #include <gtest/gtest.h>
 
 namespace mrpp
@@ -19,14 +17,15 @@ namespace mrpp
 namespace
 {
 
-using Edges = std::vector<std::pair<Vertex, Vertex>>;
+using test::Edges;
+using test::graphOf;
+using test::smallProblem;
+using SpinRun = test::TrailRun<PushAndSpin>;
 
-std::shared_ptr<const Graph> graphOf(std::size_t vertices, const Edges &pairs)
+void expectSolved(const Instance &instance, SpinRun &run, Seed seed = 1)
 {
-    std::vector<Graph::Edge> edges;
-    for (const auto &[a, b] : pairs)
-        edges.push_back({a, b});
-    return Graph::fromEdges(vertices, edges);
+    ASSERT_NO_FATAL_FAILURE(run.expectSolved(instance, seed));
+    EXPECT_GE(run.solution().pathLength(), lowerBounds(instance)->pathLength);
 }
 
 /// A cycle 0 … n−1.
@@ -36,51 +35,6 @@ std::shared_ptr<const Graph> polygon(std::size_t n)
     for (Vertex v = 0; v < n; ++v)
         edges.emplace_back(v, (v + 1) % n);
     return graphOf(n, edges);
-}
-
-Instance smallProblem(const std::string &name)
-{
-    Catalog catalog;
-    registerProblems(catalog);
-    const auto problem = catalog.problems.create("small_benchmark");
-    problem->configure(Config::scalar(name), {.catalog = &catalog});
-    const auto graph = problem->makeGraph(1);
-    return problem->makeInstance(graph, problem->robotCount(*graph), 1);
-}
-
-/// The planner with its last instance.
-class SpinRun
-{
-public:
-    explicit SpinRun(const char *restarts = "1", const char *threads = "0")
-    {
-        planner_.parameters().set("restarts", restarts);
-        planner_.parameters().set("threads", threads);
-    }
-
-    PlannerStatus operator()(const Instance &instance, Seed seed = 1, const TerminationCondition &ptc = {})
-    {
-        planner_.setInstance(std::make_shared<Instance>(instance));
-        planner_.setSeed(seed);
-        planner_.setup();
-        return planner_.solve(ptc);
-    }
-
-    [[nodiscard]] const Solution &solution() const { return planner_.solution(); }
-    [[nodiscard]] const std::string &reason() const { return planner_.reason(); }
-    /// How often the main loop failed and the certain way was taken.
-    [[nodiscard]] double fallbacks() const { return planner_.progressProperties().front().second(); }
-
-private:
-    PushAndSpin planner_;
-};
-
-void expectSolved(const Instance &instance, SpinRun &run, Seed seed = 1)
-{
-    ASSERT_EQ(run(instance, seed), PlannerStatus::solved) << run.reason();
-    const Verdict verdict = validate(instance, run.solution(), MotionRule::rotation);
-    ASSERT_TRUE(verdict.valid()) << verdict.violation;
-    EXPECT_GE(run.solution().pathLength(), lowerBounds(instance)->pathLength);
 }
 
 struct SpinLimits
@@ -292,10 +246,11 @@ TEST(PushAndSpin, StopsAtItsLimit)
     planner.setup();
     for (const double limit : {0.001, 0.01, 0.1, 0.3})
     {
-        const auto start = std::chrono::steady_clock::now();
-        EXPECT_EQ(planner.solve(TerminationCondition::after(limit)), PlannerStatus::timeout);
-        const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-        EXPECT_LT(seconds.count(), limit + 0.5); // 50 ms, were the machine ours alone
+        test::PollWatch watch(limit);
+        EXPECT_EQ(planner.solve(TerminationCondition::when([&watch] { return watch.poll(); })),
+                  PlannerStatus::timeout);
+        watch.poll();
+        EXPECT_LT(watch.longest(), test::kPromptly) << "limit of " << limit << " s";
         EXPECT_TRUE(planner.solution().empty());
     }
 }

@@ -1,10 +1,10 @@
 #include "algorithms/PushAndSwap.h"
 
 #include "algorithms/optimizers/RedundancyRemoval.h"
-#include "framework/Catalog.h"
+#include "framework/Problem.h"
 #include "framework/analysis/Components.h"
 #include "framework/evaluation/Validator.h"
-#include "problems/Problems.h"
+#include "tests/algorithms/Planning.h"
 #include "tests/support/BruteForce.h"
 #include "tests/support/RandomCases.h"
 
@@ -16,36 +16,12 @@ namespace mrpp
 namespace
 {
 
-struct Answer
-{
-    PlannerStatus status = PlannerStatus::unknown;
-    Solution solution;
-    std::string reason;
-};
+using test::Answer;
+using test::smallProblem;
 
-Answer plan(const Instance &instance, double seconds = 60,
-            const std::vector<std::pair<std::string, std::string>> &settings = {})
+Answer plan(const Instance &instance, double seconds = 60, const test::PlannerSettings &settings = {})
 {
-    PushAndSwap planner;
-    for (const auto &[name, value] : settings)
-        planner.parameters().set(name, value);
-    planner.setInstance(std::make_shared<Instance>(instance));
-    planner.setup();
-    Answer answer;
-    answer.status = planner.solve(TerminationCondition::after(seconds));
-    answer.solution = planner.takeSolution();
-    answer.reason = planner.reason();
-    return answer;
-}
-
-Instance smallProblem(const std::string &name)
-{
-    Catalog catalog;
-    registerProblems(catalog);
-    const auto problem = catalog.problems.create("small_benchmark");
-    problem->configure(Config::scalar(name), {.catalog = &catalog});
-    const auto graph = problem->makeGraph(1);
-    return problem->makeInstance(graph, problem->robotCount(*graph), 1);
+    return test::plan<PushAndSwap>(instance, settings, seconds);
 }
 
 struct Limits

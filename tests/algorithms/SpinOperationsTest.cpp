@@ -40,7 +40,8 @@ struct Table
 TEST(CycleSearch, FindsShortestCyclesThroughAnEdge)
 {
     const auto graph = test::gridGraph(3, 3);
-    CycleSearch cycles(*graph);
+    const TerminationCondition never;
+    CycleSearch cycles(*graph, never);
     const auto none = [](Vertex) { return false; };
     EXPECT_EQ(cycles.through(0, 1, 9, none), (std::vector<Vertex>{0, 1, 4, 3}));
     EXPECT_TRUE(cycles.through(0, 1, 3, none).empty());
@@ -52,7 +53,8 @@ TEST(CycleSearch, FindsShortestCyclesAtAVertex)
 {
     // A square 0 1 2 3 and a triangle 0 4 5 with a tail 6.
     const auto graph = Graph::fromEdges(7, {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {0, 4}, {4, 5}, {5, 0}, {5, 6}});
-    CycleSearch cycles(*graph);
+    const TerminationCondition never;
+    CycleSearch cycles(*graph, never);
     const auto sorted = [](std::vector<Vertex> list)
     {
         std::sort(list.begin(), list.end());

@@ -1,16 +1,19 @@
 /// \file
-/// Push and Swap, Push and Rotate and redundancy removal on grids, BIBOX on its generator's graphs. `BFS` is
-/// time ÷ one breadth-first search of the same graph, which compares across machines; `ratio` is moves ÷ the
-/// sum of the shortest distances.
+/// Push and Swap, Push and Rotate, Push and Spin, the solvability oracle and redundancy removal on grids,
+/// BIBOX and BIBOX-theta on BIBOX's generator's graphs. `BFS` is time ÷ one breadth-first search of the same
+/// graph, which compares across machines; `ratio` is moves ÷ the sum of the shortest distances.
 
 #include "algorithms/Bibox.h"
+#include "algorithms/BiboxTheta.h"
 #include "algorithms/Mapp.h"
 #include "algorithms/PushAndRotate.h"
+#include "algorithms/PushAndSpin.h"
 #include "algorithms/PushAndSwap.h"
 #include "algorithms/optimizers/RedundancyRemoval.h"
 #include "framework/Problem.h"
 #include "framework/analysis/EarDecomposition.h"
 #include "framework/analysis/LowerBounds.h"
+#include "framework/analysis/Solvability.h"
 #include "framework/evaluation/Metrics.h"
 #include "problems/generators/Biconnected.h"
 #include "tests/benchmarks/BfsUnit.h"
@@ -44,8 +47,11 @@ void planning(benchmark::State &state)
     }
     unit.report(state);
     state.counters["robots"] = static_cast<double>(robots);
-    state.counters["ratio"] = static_cast<double>(planner.solution().pathLength()) /
-                              static_cast<double>(lowerBounds(*instance)->pathLength);
+    state.counters["moves"] = static_cast<double>(planner.solution().pathLength());
+    constexpr std::size_t kManySearches = 20'000; // for the bound
+    if (robots <= kManySearches && side < 512)
+        state.counters["ratio"] = static_cast<double>(planner.solution().pathLength()) /
+                                  static_cast<double>(lowerBounds(*instance)->pathLength);
 }
 BENCHMARK_TEMPLATE(planning, PushAndSwap)
     ->Args({100, 10})
@@ -61,7 +67,28 @@ BENCHMARK_TEMPLATE(planning, PushAndRotate)
     ->Args({100, 500})
     ->Args({100, 900})
     ->Args({400, 10})
+    ->ArgsProduct({{32, 64, 128, 256, 512}, {20, 200}})
     ->Unit(benchmark::kMillisecond);
+BENCHMARK_TEMPLATE(planning, PushAndSpin)
+    ->Args({10, 980})
+    ->Args({100, 500})
+    ->Args({100, 900})
+    ->ArgsProduct({{32, 64, 128, 256, 512}, {20, 200}})
+    ->Unit(benchmark::kMillisecond);
+
+/// The oracle. Arguments: side of the grid, robots per 1000 vertices.
+void oracle(benchmark::State &state)
+{
+    const auto side = static_cast<std::size_t>(state.range(0));
+    const auto graph = test::gridGraph(side, side);
+    const Instance instance =
+        randomInstance(graph, side * side * static_cast<std::size_t>(state.range(1)) / 1000, 1);
+    const test::BfsUnit unit(*graph);
+    for (auto _ : state)
+        benchmark::DoNotOptimize(solvability(instance, MotionRule::pebble).solvable);
+    unit.report(state);
+}
+BENCHMARK(oracle)->ArgsProduct({{100, 300, 1000}, {20, 900}})->Unit(benchmark::kMillisecond);
 
 /// A thousand restarts on a small full grid, on one thread. Argument: the grid's side.
 void restarting(benchmark::State &state)
@@ -144,6 +171,25 @@ BENCHMARK(bibox)
     ->Args({20, 500})
     ->Args({100, 20})
     ->Unit(benchmark::kMillisecond);
+
+/// One free vertex. Argument: first cycle, handles and longest handle of the graph.
+void biboxTheta(benchmark::State &state)
+{
+    const auto graph = biconnectedGraph(state.range(0));
+    BiboxTheta planner;
+    planner.setInstance(std::make_shared<Instance>(randomInstance(graph, graph->vertexCount() - 1, 1)));
+    planner.setup();
+    const test::BfsUnit unit(*graph);
+    for (auto _ : state)
+    {
+        if (planner.solve({}) != PlannerStatus::solved)
+            state.SkipWithError("not solved");
+    }
+    unit.report(state);
+    state.counters["robots"] = static_cast<double>(graph->vertexCount() - 1);
+    state.counters["moves"] = static_cast<double>(planner.solution().pathLength());
+}
+BENCHMARK(biboxTheta)->Arg(5)->Arg(10)->Arg(20)->Arg(50)->Unit(benchmark::kMillisecond);
 
 /// Argument: side of the grid.
 void earDecomposition(benchmark::State &state)

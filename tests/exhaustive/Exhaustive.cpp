@@ -4,6 +4,7 @@
 #include "framework/analysis/Solvability.h"
 #include "framework/evaluation/Validator.h"
 #include "tests/exhaustive/RandomFamilies.h"
+#include "tests/exhaustive/Symmetries.h"
 #include "tests/support/ConfigurationOrbits.h"
 #include "tests/support/RandomCases.h"
 #include "tests/support/ReasonCheck.h"
@@ -13,7 +14,6 @@
 #include <fmt/format.h>
 #include <memory>
 #include <mutex>
-#include <numeric>
 #include <thread>
 
 namespace mrpp::test
@@ -77,28 +77,48 @@ private:
     {
         const ConfigurationOrbits orbits(*graph, robots, rule);
         const ReasonCheck check(graph, robots, rule, orbits);
-        const auto symmetries = automorphisms(*graph);
+        const Symmetries symmetries(*graph);
         const std::uint64_t reasons = graph->vertexCount() == settings_.vertices ? settings_.reasons : 1;
         std::uint64_t count = 0;
         for (const auto &goals : orbits.configurations())
         {
-            if (!std::ranges::is_sorted(goals) || !isFirst(goals, symmetries))
+            if (!std::ranges::is_sorted(goals) || !symmetries.isFirst(goals))
                 continue;
+            const auto keeping = symmetries.keeping(goals);
             for (const auto &starts : orbits.configurations())
             {
-                const Instance instance{graph, starts, goals};
+                if (!Symmetries::isFirst(starts, goals, keeping))
+                    continue;
+                const bool forPlanners = count % settings_.every == settings_.first;
+                const bool forReasons = settings_.oracle && count % reasons == 0;
+                ++count;
+                if (!forPlanners && !settings_.oracle)
+                    continue;
+                const auto instance = std::make_shared<const Instance>(Instance{graph, starts, goals});
                 const bool solvable = orbits.of(starts) == orbits.of(goals);
-                const Solvability answer = solvability(instance, rule);
                 ++result_.instances;
                 result_.solvable += solvable ? 1U : 0U;
-                if (answer.solvable != solvable)
-                    fail(instance, rule, "the oracle is wrong: " + answer.reason);
-                else if (!solvable && count % reasons == 0)
-                    checkReason(check, instance, rule, answer.reason);
-                if (count++ % settings_.every == 0)
-                    askPlanners(std::make_shared<const Instance>(instance), rule, solvable);
+                if (settings_.oracle)
+                    checkOracle(check, *instance, rule, {solvable, forReasons});
+                if (forPlanners)
+                    askPlanners(instance, rule, solvable);
             }
         }
+    }
+
+    struct Expected
+    {
+        bool solvable;
+        bool forReasons; ///< whether to check a reason
+    };
+
+    void checkOracle(const ReasonCheck &check, const Instance &instance, MotionRule rule, Expected expected)
+    {
+        const Solvability answer = solvability(instance, rule);
+        if (answer.solvable != expected.solvable)
+            fail(instance, rule, "the oracle is wrong: " + answer.reason);
+        else if (!answer.solvable && expected.forReasons)
+            checkReason(check, instance, rule, answer.reason);
     }
 
     void checkReason(const ReasonCheck &check, const Instance &instance, MotionRule rule,
@@ -159,35 +179,6 @@ private:
         ++result_.failures;
         if (result_.descriptions.size() < kDescribed)
             result_.descriptions.push_back(what + "\n    " + describe(instance, rule));
-    }
-
-    static std::vector<std::vector<Vertex>> automorphisms(const Graph &graph)
-    {
-        std::vector<std::vector<Vertex>> symmetries;
-        std::vector<Vertex> image(graph.vertexCount());
-        std::iota(image.begin(), image.end(), Vertex{0});
-        const std::vector<Graph::Edge> edges = graph.edges();
-        do
-        {
-            if (std::ranges::all_of(edges, [&](const Graph::Edge &edge)
-                                    { return graph.hasEdge(image[edge.a], image[edge.b]); }))
-                symmetries.push_back(image);
-        } while (std::next_permutation(image.begin(), image.end()));
-        return symmetries;
-    }
-
-    /// No symmetry leads to a set that comes before this one.
-    static bool isFirst(const std::vector<Vertex> &set, const std::vector<std::vector<Vertex>> &symmetries)
-    {
-        return std::ranges::none_of(symmetries,
-                                    [&](const std::vector<Vertex> &symmetry)
-                                    {
-                                        std::vector<Vertex> image;
-                                        for (const Vertex v : set)
-                                            image.push_back(symmetry[v]);
-                                        std::ranges::sort(image);
-                                        return image < set;
-                                    });
     }
 
     const ExhaustiveSettings &settings_;

@@ -22,6 +22,8 @@ struct ExhaustiveSettings
     std::uint64_t every = 1;                ///< planners get every so-manieth instance of each graph
     std::uint64_t reasons = 1;              ///< so do the reasons' checks on graphs of the largest size
     std::uint64_t random = 0;               ///< random instances of each rule
+    std::uint64_t first = 0;                ///< of the instances that the planners get
+    bool oracle = true;                     ///< else only planners are checked
     std::vector<std::string> planners = {}; ///< all that are complete where empty
     /// Called with graphs that are done, or batches of random instances, by one thread at a time.
     std::function<void(std::size_t done, std::size_t all)> progress = {};
@@ -48,8 +50,8 @@ struct ExhaustiveResult
 };
 
 /// All connected graphs up to isomorphism, 0 to all vertices free, both flavours of motion; starts in every
-/// order on every set of vertices, goals on every set of vertices up to the graph's symmetries (their robots'
-/// names are free).
+/// order on every set of vertices, goals on every set of vertices (their robots' names are free), up to the
+/// graph's symmetries.
 ///
 /// The oracle has to agree with brute force and its reasons have to be true. A planner has to solve what is
 /// solvable unless it rejects it, with a solution that the validator takes, and must not solve the rest;

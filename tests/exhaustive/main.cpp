@@ -16,9 +16,10 @@ using Clock = std::chrono::steady_clock;
 
 constexpr const char *kUsage =
     R"(exhaustive_check [--vertices 7] [--threads 2] [--every 1] [--reasons 20] [--random 100000]
-                 [--planner NAME]...
+                 [--first 0] [--oracle 1] [--planner NAME]...
 Planners get every so-manieth instance, so do the reasons on the largest graphs. Without --planner, all
-that call themselves complete. Ends with 1 where anything fails.
+that call themselves complete. --first F with --every N takes the instances F, F + N, ...; --oracle 0 checks nothing but planners.
+Ends with 1 where anything fails.
 )";
 
 /// A line a minute.
@@ -57,6 +58,10 @@ std::optional<mrpp::test::ExhaustiveSettings> parse(int count, char **words)
             settings.every = value;
         else if (option == "--reasons" && value > 0)
             settings.reasons = value;
+        else if (option == "--first")
+            settings.first = value;
+        else if (option == "--oracle" && value <= 1)
+            settings.oracle = value == 1;
         else if (option == "--random")
             settings.random = value;
         else
