@@ -8,21 +8,6 @@
 namespace mrpp
 {
 
-std::optional<Quartiles> quartiles(std::vector<double> values)
-{
-    if (values.empty())
-        return std::nullopt;
-    std::sort(values.begin(), values.end());
-    const auto quantile = [&values](double share)
-    {
-        const double position = share * static_cast<double>(values.size() - 1);
-        const auto below = static_cast<std::size_t>(position);
-        const std::size_t above = std::min(below + 1, values.size() - 1);
-        return values[below] + (position - static_cast<double>(below)) * (values[above] - values[below]);
-    };
-    return Quartiles{quantile(0.25), quantile(0.5), quantile(0.75), values.size()};
-}
-
 std::size_t RunGroup::solved() const
 {
     return count(PlannerStatus::solved);

@@ -6,6 +6,7 @@
 /// planner that solves the easy half alone would otherwise look better than one that solves everything.
 
 #include "framework/campaign/RunRecord.h"
+#include "framework/support/Quantiles.h"
 
 #include <map>
 #include <optional>
@@ -16,22 +17,6 @@
 
 namespace mrpp
 {
-
-/// The middle half of a sample.
-struct Quartiles
-{
-    double q1 = 0;
-    double median = 0;
-    double q3 = 0;
-    std::size_t count = 0; ///< sample size
-
-    friend bool operator==(const Quartiles &, const Quartiles &) = default;
-};
-
-/// Quartiles by linear interpolation between order statistics: quantile p of x₀ ≤ … ≤ xₙ₋₁ is taken at
-/// position p(n−1) (definition 7 of R. Hyndman and Y. Fan, "Sample quantiles in statistical packages", The
-/// American Statistician 50(4), 1996; the default of R, NumPy and spreadsheets). Nothing for an empty sample.
-[[nodiscard]] std::optional<Quartiles> quartiles(std::vector<double> values);
 
 /// All repetitions of one planner on one problem (at one sweep point).
 struct RunGroup

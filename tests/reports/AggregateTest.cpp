@@ -22,15 +22,6 @@ RunRecord record(const std::string &planner, std::optional<double> at, PlannerSt
     return run;
 }
 
-TEST(Quartiles, InterpolateLinearlyBetweenOrderStatistics)
-{
-    EXPECT_EQ(quartiles({}), std::nullopt);
-    EXPECT_EQ(quartiles({7}), (Quartiles{7, 7, 7, 1}));
-    EXPECT_EQ(quartiles({4, 2}), (Quartiles{2.5, 3, 3.5, 2}));
-    EXPECT_EQ(quartiles({10, 1, 3, 2}), (Quartiles{1.75, 2.5, 4.75, 4}));
-    EXPECT_EQ(quartiles({5, 1, 4, 2, 3}), (Quartiles{2, 3, 4, 5}));
-}
-
 TEST(RunGroup, CountsEveryRunButSumsUpTheSolvedOnes)
 {
     const std::vector<RunRecord> records = {
