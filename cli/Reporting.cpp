@@ -39,8 +39,9 @@ std::vector<std::filesystem::path> writeReports(const BenchmarkPlan &plan,
     const std::filesystem::path provenanceFile = folder / "provenance.json";
     const Provenance provenance = Provenance::fromJson(readFile(provenanceFile), provenanceFile);
     const ResultStore store(folder, ResultStore::Access::read);
-    const ResultTable table(plan, store.records(),
-                            [&store](const std::string &runKey) { return store.solution(runKey); });
+    const ResultTable table(
+        plan, store.records(), [&store](const std::string &runKey) { return store.solution(runKey); },
+        [&store](const std::string &runKey) { return store.progress(runKey); });
     std::vector<std::filesystem::path> files;
     for (const auto &report : reports)
     {

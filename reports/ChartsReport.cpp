@@ -1,8 +1,6 @@
 #include "reports/ChartsReport.h"
 
-#include "framework/support/File.h"
 #include "reports/drawing/CampaignFigures.h"
-#include "reports/drawing/FigureScript.h"
 #include "reports/drawing/Gnuplot.h"
 
 namespace mrpp
@@ -16,19 +14,12 @@ std::vector<std::filesystem::path> ChartsReport::write(const ResultTable &result
     std::vector<std::filesystem::path> files;
     const auto add = [&files](const std::vector<std::filesystem::path> &more)
     { files.insert(files.end(), more.begin(), more.end()); };
-    for (const Figure &figure : drawn)
+    const std::vector<DrawnFigure> pictures = drawFigures(drawn, figures);
+    for (std::size_t i = 0; i < drawn.size(); ++i)
     {
-        add({figures / (figure.name + ".gp"), figures / (figure.name + ".csv")});
-        writeFile(figures / (figure.name + ".gp"), gnuplotScript(figure));
-        writeFile(figures / (figure.name + ".csv"), figureCsv(figure));
-        try
-        {
-            add(writePicture(figures, figure.name, drawFigure(figure)));
-        }
-        catch (const DrawingError &error)
-        {
-            complaints.push_back(figure.name + ": " + error.what());
-        }
+        add(writeFigure(drawn[i], pictures[i], figures));
+        if (!pictures[i].missing.empty())
+            complaints.push_back(drawn[i].name + ": " + pictures[i].missing);
     }
     add(writeComplaints(figures, complaints));
     return files;

@@ -1,11 +1,9 @@
 #include "reports/PdfReport.h"
 
-#include "framework/support/Error.h"
 #include "framework/support/File.h"
 #include "reports/KeyFacts.h"
 #include "reports/drawing/CampaignFigures.h"
 #include "reports/drawing/CampaignLayouts.h"
-#include "reports/drawing/FigureScript.h"
 #include "reports/drawing/Gnuplot.h"
 #include "reports/drawing/PdfFile.h"
 #include "reports/drawing/PdfPages.h"
@@ -27,29 +25,6 @@ constexpr double kHalvedAtMost = 400;    // points: higher figures would become 
 constexpr double kLayoutHeight = 560;    // points, of a layout that has the width for itself
 constexpr double kPairHeight = 215;      // points, of two layouts beside each other
 constexpr double kSmallPairHeight = 162; // points: three such pairs and their captions fill a page
-
-/// The figure as `charts` left it, if it shows these very results; else drawn now.
-std::string figurePdf(const Figure &figure, const std::filesystem::path &figures)
-{
-    try
-    {
-        if (readFile(figures / (figure.name + ".gp")) == gnuplotScript(figure))
-        {
-            std::string pdf = readFile(figures / (figure.name + ".pdf"));
-            if (pageSize(pdf).first > 0)
-                return pdf;
-        }
-    }
-    catch (const FileError &)
-    {
-        // not there yet
-    }
-    catch (const DrawingError &)
-    {
-        // there, but no PDF
-    }
-    return drawFigure(figure).pdf;
-}
 
 void addTitlePage(PdfPages &pages, const ResultTable &results, const Provenance &provenance)
 {
@@ -131,17 +106,10 @@ void addFigures(PdfPages &pages, const ResultTable &results, const std::filesyst
     pages.chapter("Figures");
     for (const std::string &complaint : complaints)
         pages.paragraph(complaint + ".");
-    for (const Figure &figure : drawn)
+    const std::vector<DrawnFigure> pictures = drawFigures(drawn, figures);
+    for (std::size_t i = 0; i < drawn.size(); ++i)
     {
-        PdfDrawing drawing{{}, {}, figure.caption};
-        try
-        {
-            drawing.pdf = figurePdf(figure, figures);
-        }
-        catch (const DrawingError &error)
-        {
-            drawing.missing = error.what();
-        }
+        const PdfDrawing drawing{pictures[i].picture.pdf, pictures[i].missing, drawn[i].caption};
         const bool isLow = drawing.missing.empty() && pageSize(drawing.pdf).second <= kHalvedAtMost;
         pages.drawings({drawing}, 1, isLow ? kHalfPageHeight : kFigureHeight);
     }

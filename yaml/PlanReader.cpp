@@ -2,6 +2,7 @@
 
 #include "framework/support/File.h"
 #include "framework/support/Suggestion.h"
+#include "yaml/ChartList.h"
 #include "yaml/ProblemList.h"
 #include "yaml/YamlConfig.h"
 
@@ -239,21 +240,32 @@ std::vector<Configured> readOptimizers(const Config::Entry &entry, const Catalog
     return optimizers;
 }
 
-std::vector<std::string> readReports(const Config::Entry &entry, const Catalog &catalog)
+/// Reports by name, and charts. Where charts are asked for and `charts` is not, there are no others.
+void readReports(const Config::Entry &entry, const Catalog &catalog, BenchmarkPlan &plan)
 {
-    std::vector<std::string> reports;
+    constexpr const char *kCharts = "charts";
+    plan.reports.clear();
     for (const Config &node : itemsOf(entry, "reports' names, or leave the key out for all of them"))
     {
+        if (node.isMap() && node.entries().size() == 1 && node.entries().front().key == "chart")
+        {
+            plan.charts.push_back(readChart(node.entries().front(), plan));
+            continue;
+        }
         if (!node.isScalar())
-            throw PlanError(node.where(), "a report is a name");
+            throw PlanError(node.where(), "a report is a name, or a figure: {chart: {x: COLUMN, y: COLUMN}}");
         if (catalog.reports.find(node.text()) == nullptr)
             throw PlanError(node.where(), "there is no report '" + node.text() + "'" +
                                               suggestion(node.text(), catalog.reports.names()));
-        if (std::find(reports.begin(), reports.end(), node.text()) != reports.end())
+        if (std::find(plan.reports.begin(), plan.reports.end(), node.text()) != plan.reports.end())
             throw PlanError(node.where(), "the report '" + node.text() + "' stands twice");
-        reports.push_back(node.text());
+        plan.reports.push_back(node.text());
     }
-    return reports;
+    const bool namesCharts =
+        std::find(plan.reports.begin(), plan.reports.end(), kCharts) != plan.reports.end();
+    plan.automaticCharts = plan.charts.empty() || namesCharts;
+    if (!namesCharts && !plan.charts.empty() && catalog.reports.find(kCharts) != nullptr)
+        plan.reports.insert(plan.reports.begin(), kCharts);
 }
 
 /// A folder, or a list of them; relative ones start at the plan's.
@@ -346,8 +358,6 @@ BenchmarkPlan parsePlan(const std::string &text, const std::filesystem::path &fi
             plan.planners = readPlanners(entry, catalog);
         else if (entry.key == "optimizers")
             plan.optimizers = readOptimizers(entry, catalog);
-        else if (entry.key == "reports")
-            plan.reports = readReports(entry, catalog);
         else if (entry.key == "execution")
             plan.execution = readExecution(entry);
         else if (entry.key == "keep")
@@ -364,6 +374,9 @@ BenchmarkPlan parsePlan(const std::string &text, const std::filesystem::path &fi
     for (const char *required : {"problems", "planners"})
         if (root.find(required) == nullptr)
             throw PlanError(root.where(), std::string("the plan has no '") + required + "'");
+    for (const Config::Entry &entry : root.entries())
+        if (entry.key == "reports") // last: charts name problems and planners
+            readReports(entry, catalog, plan);
     return plan;
 }
 

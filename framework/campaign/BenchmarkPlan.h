@@ -58,6 +58,20 @@ struct Keep
     bool solutions = false; ///< solutions/CASE.PLANNER.csv
 };
 
+/// A figure that a plan asks for.
+struct ChartRequest
+{
+    std::string kind = "curves"; ///< curves, cactus, profile, ecdf, boxes, scatter, ranks, scaling
+    std::string x;               ///< of curves: a numeric column, or a swept variable
+    std::string y;               ///< a numeric column
+    std::string per;     ///< of curves: a column; a curve for each of its values. Empty: one a planner
+    std::string problem; ///< a problem's or a family's name; empty: all
+    std::string title;   ///< empty: a title of its own
+    std::pair<std::string, std::string> planners; ///< of scatter
+    std::optional<bool> logX;                     ///< nothing: logarithmic where that serves
+    std::optional<bool> logY;
+};
+
 struct BenchmarkPlan
 {
     std::string campaign;
@@ -68,6 +82,8 @@ struct BenchmarkPlan
     std::vector<Configured> planners;
     std::vector<Configured> optimizers;
     std::vector<std::string> reports;
+    std::vector<ChartRequest> charts; ///< figures asked for
+    bool automaticCharts = true;      ///< whether there are figures beside those
     MotionRule motion = MotionRule::rotation;
     Execution execution;
     Keep keep;

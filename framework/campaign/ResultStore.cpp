@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <map>
 
 namespace mrpp
@@ -341,6 +342,39 @@ std::optional<Solution> ResultStore::solution(const std::string &runKey) const
     if (!solution)
         throw FileError({database_->file.string()}, "the solution of run " + runKey + " is damaged");
     return solution;
+}
+
+Progress ResultStore::progress(const std::string &runKey) const
+{
+    sqlite::Statement query(database_->connection,
+                            "SELECT progress.* FROM progress JOIN runs ON runs.id = progress.runid "
+                            "WHERE runs.run_key = ? ORDER BY progress.time");
+    query.bind(1, runKey);
+    Progress progress;
+    std::vector<int> columns;
+    while (query.step())
+    {
+        Progress::Sample sample;
+        if (progress.samples.empty())
+            for (int i = 0; i < query.columnCount(); ++i)
+                if (const std::string name = query.columnName(i);
+                    name != "runid" && name != "time" && std::holds_alternative<double>(query.column(i)))
+                {
+                    columns.push_back(i);
+                    progress.names.push_back(name);
+                }
+        for (int i = 0; i < query.columnCount(); ++i)
+            if (query.columnName(i) == "time")
+                sample.time = std::get<double>(query.column(i));
+        for (const int i : columns)
+        {
+            const Value value = query.column(i);
+            sample.values.push_back(std::holds_alternative<double>(value) ? std::get<double>(value)
+                                                                          : std::nan(""));
+        }
+        progress.samples.push_back(std::move(sample));
+    }
+    return progress;
 }
 
 } // namespace mrpp

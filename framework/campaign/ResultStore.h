@@ -66,6 +66,9 @@ public:
     /// A run's solution, where it was kept. Throws FileError where it is damaged.
     [[nodiscard]] std::optional<Solution> solution(const std::string &runKey) const;
 
+    /// What a run's progress properties were over time; those that it never had are left out.
+    [[nodiscard]] Progress progress(const std::string &runKey) const;
+
 private:
     class Database;
     std::unique_ptr<Database> database_;

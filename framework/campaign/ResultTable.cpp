@@ -22,9 +22,10 @@ auto questionOf(const RunRecord &record)
 
 } // namespace
 
-ResultTable::ResultTable(BenchmarkPlan plan, std::vector<RunRecord> records, SolutionLoader loadSolution)
+ResultTable::ResultTable(BenchmarkPlan plan, std::vector<RunRecord> records, SolutionLoader loadSolution,
+                         ProgressLoader loadProgress)
     : plan_(std::move(plan)), specs_(expand(plan_, MissingInput::tolerate)),
-      loadSolution_(std::move(loadSolution))
+      loadSolution_(std::move(loadSolution)), loadProgress_(std::move(loadProgress))
 {
     std::unordered_map<std::string, std::size_t> byKey;
     std::map<decltype(questionOf(RunRecord())), std::size_t> byQuestion;
@@ -77,6 +78,11 @@ std::optional<Instance> ResultTable::instance(const RunRecord &record) const
 std::optional<Solution> ResultTable::solution(const RunRecord &record) const
 {
     return loadSolution_ ? loadSolution_(record.runKey) : std::nullopt;
+}
+
+Progress ResultTable::progress(const RunRecord &record) const
+{
+    return loadProgress_ ? loadProgress_(record.runKey) : Progress();
 }
 
 } // namespace mrpp

@@ -3,6 +3,7 @@
 /// What reports read: the plan, the records in the plan's order, and on request the instances and solutions.
 
 #include "framework/campaign/BenchmarkPlan.h"
+#include "framework/campaign/ProgressSampler.h"
 #include "framework/campaign/RunRecord.h"
 #include "framework/model/Instance.h"
 #include "framework/model/Solution.h"
@@ -19,9 +20,11 @@ class ResultTable
 {
 public:
     using SolutionLoader = std::function<std::optional<Solution>(const std::string &runKey)>;
+    using ProgressLoader = std::function<Progress(const std::string &runKey)>;
 
     /// \param records finished runs, in any order; those that are not in the plan are left out
-    ResultTable(BenchmarkPlan plan, std::vector<RunRecord> records, SolutionLoader loadSolution);
+    ResultTable(BenchmarkPlan plan, std::vector<RunRecord> records, SolutionLoader loadSolution,
+                ProgressLoader loadProgress = {});
 
     [[nodiscard]] const BenchmarkPlan &plan() const { return plan_; }
 
@@ -37,11 +40,15 @@ public:
     /// The solution (before optimizing), where the store kept it.
     [[nodiscard]] std::optional<Solution> solution(const RunRecord &record) const;
 
+    /// What the run's progress properties were over time; empty where none was watched.
+    [[nodiscard]] Progress progress(const RunRecord &record) const;
+
 private:
     BenchmarkPlan plan_;
     std::vector<RunSpec> specs_;
     std::vector<RunRecord> records_;
     SolutionLoader loadSolution_;
+    ProgressLoader loadProgress_;
 };
 
 } // namespace mrpp

@@ -2,6 +2,7 @@
 
 #include "framework/support/Config.h"
 #include "reports/drawing/Numbers.h"
+#include "reports/drawing/Text.h"
 
 #include <algorithm>
 #include <array>
@@ -96,12 +97,39 @@ std::string powerOfTen(int exponent)
     return text;
 }
 
-Axis measureAxis(const std::vector<double> &values)
+Axis thinned(Axis axis, double centimetres)
+{
+    constexpr double kDigit = 0.2;
+    constexpr double kGap = 0.35;
+    for (;;)
+    {
+        double width = 0;
+        std::size_t named = 0;
+        for (const Tic &tic : axis.tics)
+            if (!tic.label.empty())
+            {
+                width += kGap + kDigit * static_cast<double>(characterCount(tic.label));
+                ++named;
+            }
+        if (width <= centimetres || named <= 2)
+            return axis;
+        bool keep = true;
+        for (Tic &tic : axis.tics)
+            if (!tic.label.empty())
+            {
+                if (!keep)
+                    tic.label.clear();
+                keep = !keep;
+            }
+    }
+}
+
+Axis measureAxis(const std::vector<double> &values, std::optional<bool> logarithmic)
 {
     if (values.empty())
         return {};
     const auto [least, most] = std::minmax_element(values.begin(), values.end());
-    if (spansDecades(*least, *most))
+    if (*least > 0 && logarithmic.value_or(spansDecades(*least, *most)))
     {
         constexpr double kRoom = 1.4;
         const double from = *least / kRoom;
@@ -114,7 +142,7 @@ Axis measureAxis(const std::vector<double> &values)
     return {false, from, to, evenTics(from, to)};
 }
 
-Axis sweepAxis(std::vector<double> values)
+Axis sweepAxis(std::vector<double> values, std::optional<bool> wish)
 {
     if (values.empty())
         return {};
@@ -122,7 +150,7 @@ Axis sweepAxis(std::vector<double> values)
     values.erase(std::unique(values.begin(), values.end()), values.end());
     const double least = values.front();
     const double most = values.back();
-    const bool logarithmic = spansDecades(least, most);
+    const bool logarithmic = least > 0 && wish.value_or(spansDecades(least, most));
     const auto scaled = [logarithmic](double value) { return logarithmic ? std::log10(value) : value; };
     const double range = scaled(most) - scaled(least);
     double gap = std::numeric_limits<double>::infinity();

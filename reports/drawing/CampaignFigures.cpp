@@ -1,7 +1,11 @@
 #include "reports/drawing/CampaignFigures.h"
 
 #include "framework/support/Config.h"
-#include "reports/drawing/Text.h"
+#include "reports/drawing/AnytimeFigures.h"
+#include "reports/drawing/AskedFigures.h"
+#include "reports/drawing/FigureList.h"
+#include "reports/drawing/OverallFigures.h"
+#include "reports/drawing/ScalingFigures.h"
 
 #include <algorithm>
 #include <array>
@@ -80,18 +84,14 @@ struct Place
     std::vector<const RunGroup *> groups;
 };
 
+/// Figures of each problem.
 class Builder
 {
 public:
-    explicit Builder(const ResultTable &results) : problems_(summarizeProblems(results.records()))
-    {
-        for (const Configured &planner : results.plan().planners)
-            addPlanner(planner.name);
-        for (const RunRecord &record : results.records())
-            addPlanner(record.planner);
-    }
+    Builder(FigureList &list, const std::vector<ProblemSummary> &problems) : list_(list), problems_(problems)
+    {}
 
-    CampaignFigures build()
+    void build()
     {
         std::vector<std::string> models;
         std::map<std::string, std::vector<const ProblemSummary *>> unswept;
@@ -108,20 +108,11 @@ public:
         }
         for (const std::string &model : models)
             addComparisons(model, unswept[model]);
-        return std::move(result_);
     }
 
 private:
-    std::vector<ProblemSummary> problems_;
-    std::vector<std::string> planners_; ///< in the plan's order; a planner's position is its style
-    FileNames names_;
-    CampaignFigures result_;
-
-    void addPlanner(const std::string &name)
-    {
-        if (std::find(planners_.begin(), planners_.end(), name) == planners_.end())
-            planners_.push_back(name);
-    }
+    FigureList &list_;
+    const std::vector<ProblemSummary> &problems_;
 
     /// A sweep of one point is compared, not drawn as a curve.
     static bool isCurve(const ProblemSummary &problem)
@@ -134,12 +125,14 @@ private:
     std::vector<FigureSeries> makeSeries(const std::vector<Place> &places, Value &&value) const
     {
         std::vector<FigureSeries> series;
-        for (std::size_t style = 0; style < planners_.size(); ++style)
+        for (const std::string &planner : list_.planners())
         {
-            FigureSeries curve{planners_[style], style, {}};
+            FigureSeries curve;
+            curve.label = planner;
+            curve.style = list_.styleOf(planner);
             for (const Place &place : places)
                 for (const RunGroup *group : place.groups)
-                    if (group->planner == planners_[style])
+                    if (group->planner == planner)
                         curve.points.push_back(
                             {place.at, value(*group), group->solved(), group->runs.size()});
             if (!curve.points.empty())
@@ -169,12 +162,6 @@ private:
         return true;
     }
 
-    static std::string measureName(const Measure &measure)
-    {
-        std::string name = metricTitle(measure.column);
-        return name.substr(0, name.rfind(" ("));
-    }
-
     void addCurves(const ProblemSummary &problem)
     {
         std::vector<Place> places;
@@ -200,27 +187,24 @@ private:
             if (!fill(figure, places, measure))
                 continue;
             anything = true;
-            figure.name = names_.add(prefix + measure.column);
-            figure.title = measureName(measure) + " on " + oneLine(problem.problem);
+            figure.title = measureName(measure.column) + " on " + oneLine(problem.problem);
             figure.caption = fmt::format(
                 "{} on {}: {}. Lines: median over the solved runs; bands: their quartiles; {} at each point. "
                 "Hollow markers: not every run was solved, the lower panel shows the share that was.{}",
-                measureName(measure), where, measure.of, runsAPoint(groups),
+                measureName(measure.column), where, measure.of, runsAPoint(groups),
                 figure.bounds.empty()
                     ? std::string()
                     : fmt::format(" Dotted grey: lower bound, {} (median over the instances).",
                                   boundMeaning(measure)));
-            result_.figures.push_back(std::move(figure));
+            list_.add(std::move(figure), prefix + measure.column);
         }
         if (!anything)
-            result_.complaints.push_back(
-                fmt::format("{}: no run was solved, so there is no figure but that of success",
-                            oneLine(problem.problem)));
+            list_.complain(fmt::format("{}: no run was solved, so there is no figure but that of success",
+                                       oneLine(problem.problem)));
 
         Figure success;
         success.kind = Figure::Kind::curves;
         success.isPercentage = true;
-        success.name = names_.add(prefix + "success_rate");
         success.title = "Success rate on " + oneLine(problem.problem);
         success.caption =
             fmt::format("Success rate on {}: share of the runs that ended with a valid solution "
@@ -237,7 +221,7 @@ private:
         for (FigureSeries &series : success.series)
             for (FigurePoint &point : series.points)
                 point.value->count = point.runs;
-        result_.figures.push_back(std::move(success));
+        list_.add(std::move(success), prefix + "success_rate");
     }
 
     void addComparisons(const std::string &model, const std::vector<const ProblemSummary *> &problems)
@@ -279,21 +263,20 @@ private:
                 continue;
             anything = true;
             figure.rows = rows;
-            figure.name = names_.add(model + "-" + measure.column);
-            figure.title = measureName(measure) + ", " + spaced(model) + " problems";
+            figure.title = measureName(measure.column) + ", " + spaced(model) + " problems";
             figure.caption = fmt::format(
                 "{} on the {} problems: {}. Markers: median over the solved runs; bars: their quartiles; {} "
                 "for "
                 "each problem and planner. Hollow markers: not every run was solved, the panel on the right "
                 "shows the share that was; no marker on the left: none was solved.{}",
-                measureName(measure), spaced(model), measure.of, runsAPoint(groups),
+                measureName(measure.column), spaced(model), measure.of, runsAPoint(groups),
                 figure.bounds.empty()
                     ? std::string()
                     : fmt::format(" Upright strokes: lower bound, {}.", boundMeaning(measure)));
-            result_.figures.push_back(std::move(figure));
+            list_.add(std::move(figure), model + "-" + measure.column);
         }
         if (!anything)
-            result_.complaints.push_back(
+            list_.complain(
                 fmt::format("{}: no run was solved, so there is nothing to compare", spaced(model)));
     }
 };
@@ -314,9 +297,42 @@ std::string variableTitle(const std::string &variable)
     return title;
 }
 
+FigureList::FigureList(const ResultTable &results)
+{
+    for (const Configured &planner : results.plan().planners)
+        planners_.push_back(planner.name);
+}
+
+std::size_t FigureList::styleOf(const std::string &planner) const
+{
+    return static_cast<std::size_t>(std::find(planners_.begin(), planners_.end(), planner) -
+                                    planners_.begin());
+}
+
+void FigureList::add(Figure figure, const std::string &title)
+{
+    figure.name = names_.add(title);
+    result_.figures.push_back(std::move(figure));
+}
+
+std::string measureName(std::string_view column)
+{
+    const std::string name = metricTitle(column);
+    return name.substr(0, name.rfind(" ("));
+}
+
 CampaignFigures campaignFigures(const ResultTable &results)
 {
-    return Builder(results).build();
+    FigureList figures(results);
+    addAskedFigures(figures, results);
+    if (!results.plan().automaticCharts)
+        return figures.take();
+    const std::vector<ProblemSummary> problems = summarizeProblems(results.records());
+    Builder(figures, problems).build();
+    addOverallFigures(figures, caseTable(results));
+    addScalingFigures(figures, problems);
+    addAnytimeFigures(figures, results, problems);
+    return figures.take();
 }
 
 } // namespace mrpp

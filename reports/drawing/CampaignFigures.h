@@ -17,9 +17,11 @@ struct CampaignFigures
     std::vector<std::string> complaints; ///< what cannot be shown, and why
 };
 
-/// For each sweep: path length, makespan (each also optimized), time and success against the swept variable.
-/// For each family's other problems: the same measures compared, a row a problem. A measure that no run has
-/// gets no figure. The same results give the same figures under the same names.
+/// The figures that the plan asks for, and unless it wants those alone: for each sweep path length, makespan
+/// (each also optimized), time and success against the swept variable; for each family's other problems the
+/// same measures compared, a row a problem; planners compared over the whole campaign; how costs grow with
+/// graphs; what planners say of themselves while they work. A measure that no run has gets no figure. The
+/// same results give the same figures under the same names.
 [[nodiscard]] CampaignFigures campaignFigures(const ResultTable &results);
 
 /// "Robots", "Free vertices", …: the title of a swept variable's axis.

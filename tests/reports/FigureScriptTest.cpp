@@ -107,7 +107,9 @@ TEST(CampaignFigures, AreSweepsMeasuresAndComparisons)
     EXPECT_EQ(names, "fg_vr-grid-path_length fg_vr-grid-optimized_path_length fg_vr-grid-makespan "
                      "fg_vr-grid-optimized_makespan fg_vr-grid-time fg_vr-grid-success_rate "
                      "small_benchmark-path_length small_benchmark-optimized_path_length "
-                     "small_benchmark-makespan small_benchmark-optimized_makespan small_benchmark-time ");
+                     "small_benchmark-makespan small_benchmark-optimized_makespan small_benchmark-time "
+                     "overall-cactus-time overall-profile-path_length overall-profile-time "
+                     "overall-boxes-path_length overall-scatter-path_length-push_and_swap-fails-often ");
 }
 
 TEST(CampaignFigures, ShowSuccessAndComplainWhereNothingWasSolved)

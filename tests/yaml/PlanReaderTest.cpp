@@ -95,6 +95,26 @@ TEST(PlanReader, hasDefaults)
     EXPECT_EQ(read.text, "problems: [puzzle]\nplanners: [runner]\n");
 }
 
+TEST(PlanReader, readsCharts)
+{
+    const std::string start = "problems: [puzzle]\nplanners: [runner]\n";
+    const BenchmarkPlan some =
+        plan(start + "reports: [csv, {chart: {x: occupancy, y: path_length, per: robots, log: [y]}}]");
+    EXPECT_THAT(some.reports, ElementsAre("charts", "csv"));
+    EXPECT_FALSE(some.automaticCharts);
+    ASSERT_EQ(some.charts.size(), 1U);
+    EXPECT_EQ(some.charts[0].kind, "curves");
+    EXPECT_EQ(some.charts[0].x, "occupancy");
+    EXPECT_EQ(some.charts[0].y, "path_length");
+    EXPECT_EQ(some.charts[0].per, "robots");
+    EXPECT_EQ(some.charts[0].logX, false);
+    EXPECT_EQ(some.charts[0].logY, true);
+    const BenchmarkPlan both =
+        plan(start + "reports: [charts, {chart: {kind: ecdf, y: time, problem: puzzle}}]");
+    EXPECT_TRUE(both.automaticCharts);
+    EXPECT_EQ(both.charts[0].logY, std::nullopt);
+}
+
 TEST(PlanReader, knowsUnits)
 {
     const auto limits = [](const std::string &text)
@@ -258,6 +278,12 @@ INSTANTIATE_TEST_SUITE_P(
                 "parameter 'rounds' must lie in"},
         BadPlan{"reports: [pdff]", "11", "there is no report 'pdff'"},
         BadPlan{"reports: [csv, csv]", "16", "the report 'csv' stands twice"},
+        BadPlan{"reports: [{chart: {x: robot, y: time}}]", "23",
+                "there is no numeric column or swept variable 'robot'"},
+        BadPlan{"reports: [{chart: {x: robots, z: time}}]", "31", "unknown key 'z' in a chart"},
+        BadPlan{"reports: [{chart: {y: time}}]", "19", "a chart of the kind 'curves' needs 'x'"},
+        BadPlan{"reports: [{chart: {kind: boxes, y: time, log: [z]}}]", "48", "there is no axis 'z'"},
+        BadPlan{"reports: [{chart: {kind: pie, y: time}}]", "26", "there is no kind of chart 'pie'"},
         BadPlan{"reports: csv", "10", "'reports' takes a list"},
         BadPlan{"motion: pebbles", "9", "there is no motion rule 'pebbles'; known: pebble"},
         BadPlan{"execution: {jobs: 0}", "19", "'jobs' takes a whole number from 1"},

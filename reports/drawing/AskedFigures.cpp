@@ -1,0 +1,195 @@
+#include "reports/drawing/AskedFigures.h"
+
+#include "framework/evaluation/Metrics.h"
+#include "framework/support/Config.h"
+#include "reports/CaseTable.h"
+#include "reports/drawing/OverallFigures.h"
+#include "reports/drawing/Picture.h"
+#include "reports/drawing/ScalingFigures.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <map>
+
+namespace mrpp
+{
+
+namespace
+{
+
+bool concerns(const ChartRequest &chart, const RunRecord &run)
+{
+    return chart.problem.empty() || chart.problem == run.problem || chart.problem == run.model;
+}
+
+/// A column of the record, or the swept variable of that name.
+std::optional<double> placeOf(const RunRecord &run, const std::string &column)
+{
+    if (const auto value = numericValue(run, column))
+        return value;
+    return run.sweepVariable == column ? run.sweepValue : std::nullopt;
+}
+
+/// What tells the curves of one planner apart.
+std::string groupOf(const RunRecord &run, const std::string &column)
+{
+    if (column.empty() || column == "planner")
+        return "";
+    if (run.sweepVariable == column && run.sweepValue)
+        return formatNumber(*run.sweepValue);
+    const RunColumn *known = findRunColumn(column);
+    const std::string text = known == nullptr ? std::string() : toText(known->get(run));
+    return text.empty() ? "none" : text;
+}
+
+/// "Path length (moves)"; "Occupancy (robots per vertex)" of a column that is swept elsewhere.
+std::string axisTitle(const std::string &column)
+{
+    return findMetric(column) != nullptr ? metricTitle(column) : variableTitle(column);
+}
+
+Figure curvesFigure(const FigureList &figures, const ResultTable &results, const ChartRequest &chart)
+{
+    struct Cell
+    {
+        std::vector<double> values;
+        std::size_t solved = 0;
+        std::size_t runs = 0;
+    };
+    std::map<std::pair<std::size_t, std::string>, std::map<double, Cell>> curves; // by planner, group
+    std::vector<std::string> groups; // in the order of their first runs
+    std::size_t without = 0;
+    for (const RunRecord &run : results.records())
+    {
+        if (!concerns(chart, run))
+            continue;
+        const auto at = placeOf(run, chart.x);
+        without += at ? 0 : 1;
+        if (!at)
+            continue;
+        const std::string group = groupOf(run, chart.per);
+        if (std::find(groups.begin(), groups.end(), group) == groups.end())
+            groups.push_back(group);
+        Cell &cell = curves[{figures.styleOf(run.planner), group}][*at];
+        ++cell.runs;
+        cell.solved += run.solved() ? 1 : 0;
+        if (const auto value = run.solved() ? numericValue(run, chart.y) : std::nullopt)
+            cell.values.push_back(*value);
+    }
+    Figure figure;
+    figure.variable = axisTitle(chart.x);
+    figure.measure = axisTitle(chart.y);
+    bool anything = false;
+    for (const auto &[key, cells] : curves)
+    {
+        const auto &[planner, group] = key;
+        FigureSeries series;
+        series.label = figures.planners()[planner];
+        if (groups.size() > 1)
+            series.label += fmt::format(", {} {}", spaced(chart.per), group);
+        // Planner by planner the same style; groups have styles of their own behind the planners'.
+        const auto position =
+            static_cast<std::size_t>(std::find(groups.begin(), groups.end(), group) - groups.begin());
+        series.style = groups.size() > 1 ? planner * groups.size() + position : planner;
+        for (const auto &[at, cell] : cells)
+        {
+            series.points.push_back({at, quartiles(cell.values), cell.solved, cell.runs});
+            anything = anything || !cell.values.empty();
+        }
+        figure.series.push_back(std::move(series));
+    }
+    if (!anything)
+        throw DrawingError("no solved run has both " + chart.x + " and " + chart.y);
+    const std::string where = chart.problem.empty() ? "" : " on " + oneLine(chart.problem);
+    figure.title = fmt::format("{} against {}{}", measureName(chart.y), spaced(chart.x), where);
+    figure.caption = fmt::format(
+        "{} against {}{}{}. Lines: median over the solved runs; bands: their quartiles. Hollow markers: not "
+        "every run was "
+        "solved, the lower panel shows the share that was.{}",
+        measureName(chart.y), spaced(chart.x), where,
+        groups.size() > 1 ? fmt::format(", a curve for each planner and {}", spaced(chart.per)) : "",
+        without == 0 ? ""
+                     : fmt::format(" {} without {} left out.", counted(without, "run"), spaced(chart.x)));
+    return figure;
+}
+
+Figure scalingOf(const FigureList &figures, const ResultTable &results, const ChartRequest &chart)
+{
+    for (const ProblemSummary &problem : summarizeProblems(results.records()))
+    {
+        if ((!chart.problem.empty() && chart.problem != problem.problem && chart.problem != problem.model) ||
+            !growsGraph(problem))
+            continue;
+        std::string refusal;
+        if (auto figure = scalingFigure(figures, problem, chart.y, refusal))
+            return std::move(*figure);
+        throw DrawingError(refusal.empty() ? "no run was solved" : refusal);
+    }
+    throw DrawingError("no sweep grows the graph");
+}
+
+std::size_t positionOf(const CaseTable &cases, const std::string &planner)
+{
+    return static_cast<std::size_t>(std::find(cases.planners.begin(), cases.planners.end(), planner) -
+                                    cases.planners.begin());
+}
+
+Figure asked(const FigureList &figures, const ResultTable &results, const CaseTable &all,
+             const ChartRequest &chart)
+{
+    if (chart.kind == "curves")
+        return curvesFigure(figures, results, chart);
+    if (chart.kind == "scaling")
+        return scalingOf(figures, results, chart);
+    CaseTable cases = all;
+    std::erase_if(cases.cases, [&](const Case &one) { return !concerns(chart, one.any()); });
+    if (cases.cases.empty())
+        throw DrawingError("no run has finished");
+    const std::string where = chart.problem.empty() ? "" : " on " + oneLine(chart.problem);
+    if (chart.kind == "cactus")
+        return cactusFigure(figures, cases, chart.y, where);
+    if (chart.kind == "profile")
+        return profileFigure(figures, cases, chart.y, where);
+    if (chart.kind == "ecdf")
+        return ecdfFigure(figures, cases, chart.y, where);
+    if (chart.kind == "boxes")
+        return boxesFigure(figures, cases, chart.y, "", where);
+    if (chart.kind == "ranks")
+        return ranksFigure(figures, cases, chart.y, where);
+    return scatterFigure(figures, cases, chart.y, positionOf(cases, chart.planners.first),
+                         positionOf(cases, chart.planners.second), where);
+}
+
+} // namespace
+
+void addAskedFigures(FigureList &figures, const ResultTable &results)
+{
+    const std::vector<ChartRequest> &charts = results.plan().charts;
+    if (charts.empty())
+        return;
+    const CaseTable cases = caseTable(results);
+    for (const ChartRequest &chart : charts)
+    {
+        std::string name = "chart-" + chart.kind;
+        for (const std::string &part : {chart.problem, chart.y, chart.x, chart.per})
+            if (!part.empty())
+                name += "-" + part;
+        try
+        {
+            Figure figure = asked(figures, results, cases, chart);
+            if (!chart.title.empty())
+                figure.title = chart.title;
+            if (chart.logX)
+                figure.logX = chart.logX;
+            if (chart.logY)
+                figure.logY = chart.logY;
+            figures.add(std::move(figure), name);
+        }
+        catch (const DrawingError &error)
+        {
+            figures.complain(oneLine(name + ": " + error.what()));
+        }
+    }
+}
+
+} // namespace mrpp

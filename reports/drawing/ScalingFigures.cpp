@@ -1,0 +1,161 @@
+#include "reports/drawing/ScalingFigures.h"
+
+#include "framework/support/ScalingFit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <map>
+#include <set>
+
+namespace mrpp
+{
+
+namespace
+{
+
+std::optional<double> sizeOf(const RunGroup &group)
+{
+    std::vector<double> sizes;
+    for (const RunRecord *run : group.runs)
+        if (run->vertices)
+            sizes.push_back(static_cast<double>(*run->vertices));
+    return sizes.empty() ? std::nullopt : std::optional(std::round(median(std::move(sizes))));
+}
+
+/// "∝ n^2.31 [2.2, 2.4]".
+std::string lawText(const ScalingModel &model)
+{
+    const Interval rate = model.rateInterval();
+    return model.law == ScalingLaw::power
+               ? fmt::format(" ∝ n^{:.2f} [{:.2f}, {:.2f}]", model.rate, rate.low, rate.high)
+               : fmt::format(" ∝ {:.4g}^n [{:.4g}, {:.4g}]", model.rate, rate.low, rate.high);
+}
+
+/// One sentence on what the fit says.
+std::string verdict(const std::string &planner, const ScalingFit &fit)
+{
+    if (!fit.refusal.empty())
+        return fmt::format(" {}: no fit, {}.", planner, fit.refusal);
+    const ScalingModel &best = fit.better();
+    const ScalingModel &other = best.law == ScalingLaw::power ? fit.exponential : fit.power;
+    const char *name = best.law == ScalingLaw::power ? "power law" : "exponential law";
+    const char *otherName = best.law == ScalingLaw::power ? "exponential" : "power law";
+    return fmt::format(
+        " {}: the {}{} foretells the {} larger sizes better (off by a factor of {:.2f}, the {} by {:.2f}); "
+        "{} of them lie within its band.",
+        planner, name, lawText(best), fit.heldOut, std::pow(10.0, best.heldOutError), otherName,
+        std::pow(10.0, other.heldOutError), best.heldOutWithin);
+}
+
+} // namespace
+
+bool growsGraph(const ProblemSummary &problem)
+{
+    std::set<double> sizes;
+    for (const RunGroup &group : problem.groups)
+        if (const auto size = sizeOf(group))
+            sizes.insert(*size);
+    return problem.swept() && sizes.size() > 1 && *sizes.rbegin() >= 2 * *sizes.begin();
+}
+
+std::optional<Figure> scalingFigure(const FigureList &figures, const ProblemSummary &problem,
+                                    std::string_view column, std::string &refusal)
+{
+    constexpr std::size_t kFitPoints = 48;
+    Figure figure;
+    figure.variable = "Vertices";
+    figure.measure = metricTitle(column);
+    figure.logX = true;
+    figure.logY = true;
+    std::string verdicts;
+    bool anything = false;
+    for (const std::string &planner : figures.planners())
+    {
+        std::map<double, FigurePoint> points;
+        std::map<double, std::vector<double>> values;
+        for (const RunGroup &group : problem.groups)
+        {
+            const auto size = sizeOf(group);
+            if (group.planner != planner || !size)
+                continue;
+            for (const RunRecord *run : group.runs)
+                if (const auto value = run->solved() ? numericValue(*run, column) : std::nullopt;
+                    value && *value > 0)
+                    values[*size].push_back(*value);
+            FigurePoint &point = points[*size];
+            point.at = *size;
+            point.solved += group.solved();
+            point.runs += group.runs.size();
+        }
+        if (points.empty())
+            continue;
+        FigureSeries series;
+        series.label = planner;
+        series.style = figures.styleOf(planner);
+        std::vector<ScalingPoint> sizes;
+        for (auto &[size, point] : points)
+        {
+            if (const auto own = values.find(size); own != values.end())
+            {
+                point.value = quartiles(own->second);
+                sizes.push_back({size, own->second});
+            }
+            series.points.push_back(point);
+        }
+        const ScalingFit fit = fitScaling(sizes);
+        verdicts += verdict(oneLine(planner), fit);
+        if (fit.refusal.empty())
+        {
+            anything = true;
+            const ScalingModel &model = fit.better();
+            series.remark = lawText(model);
+            const double ratio = sizes.back().size / sizes.front().size;
+            for (std::size_t i = 0; i < kFitPoints; ++i)
+            {
+                const double at =
+                    sizes.front().size *
+                    std::pow(ratio, static_cast<double>(i) / static_cast<double>(kFitPoints - 1));
+                const Interval band = model.band(at);
+                series.fit.push_back({at, model.at(at), band.low, band.high});
+            }
+            const double seen = sizes[fit.fitted - 1].size;
+            figure.heldOutFrom =
+                std::max(figure.heldOutFrom.value_or(0), std::sqrt(seen * sizes[fit.fitted].size));
+        }
+        else
+            refusal = fit.refusal;
+        figure.series.push_back(std::move(series));
+    }
+    if (!anything)
+        return std::nullopt;
+    figure.title = fmt::format("Scaling of {} on {}", spaced(column), oneLine(problem.problem));
+    figure.caption = fmt::format(
+        "{} on {} ({}) against the number of vertices n, both axes logarithmic. Markers and bars: median and "
+        "quartiles of "
+        "the solved runs, hollow where not every run was solved; lines and bands: the better of a power law "
+        "and an "
+        "exponential law with its 95 % bootstrap band, fitted to the sizes left of the dashed line.{}",
+        measureName(column), oneLine(problem.problem), spaced(problem.model), verdicts);
+    return figure;
+}
+
+void addScalingFigures(FigureList &figures, const std::vector<ProblemSummary> &problems)
+{
+    for (const ProblemSummary &problem : problems)
+    {
+        if (!growsGraph(problem))
+            continue;
+        for (const char *column : {"time", "path_length"})
+        {
+            std::string refusal;
+            if (auto figure = scalingFigure(figures, problem, column, refusal))
+                figures.add(std::move(*figure), problem.model + "-" + problem.problem + "-scaling-" + column);
+            else if (!refusal.empty())
+                figures.complain(fmt::format("no scaling of {} on {}: {}", spaced(column),
+                                             oneLine(problem.problem), refusal));
+        }
+    }
+}
+
+} // namespace mrpp

@@ -1,0 +1,186 @@
+#include "framework/support/File.h"
+#include "reports/ChartsReport.h"
+#include "reports/drawing/CampaignFigures.h"
+#include "reports/drawing/FigureScript.h"
+#include "reports/drawing/TemporaryFolder.h"
+#include "tests/reports/Campaigns.h"
+
+#include <cmath>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace mrpp
+{
+namespace
+{
+
+using namespace mrpp::testing;
+
+/// A sweep that grows the graph; the second planner needs half as much more, and fails on the largest graph.
+FakeCampaign growing()
+{
+    FakeCampaign campaign("growing", 5);
+    campaign.planner("first").planner("second").planner("it's `third`");
+    campaign.sweep("fr_vg", "grid", "side", {2, 3, 4, 5, 6, 7, 8, 9, 10, 11},
+                   [](double side) { return gridInstance(static_cast<std::size_t>(side), 1); });
+    return campaign;
+}
+
+void cost(RunRecord &record, std::size_t planner)
+{
+    const auto vertices = static_cast<double>(*record.vertices);
+    solveSmoothly(record, planner);
+    record.time = 1e-5 * std::pow(vertices, 2) * (1 + 0.5 * static_cast<double>(planner)) *
+                  (1 + 0.02 * static_cast<double>(record.repetition));
+    if (planner == 1 && record.sweepValue == 11)
+        record.status = PlannerStatus::timeout;
+}
+
+const Figure &named(const CampaignFigures &figures, const std::string &name)
+{
+    for (const Figure &figure : figures.figures)
+        if (figure.name == name)
+            return figure;
+    throw std::out_of_range("no figure " + name);
+}
+
+TEST(CactusFigure, EndsWhereTheSolvedRunsEnd)
+{
+    const auto figures = campaignFigures(growing().run(cost));
+    const Figure &figure = named(figures, "overall-cactus-time");
+    EXPECT_EQ(figure.series[0].steps.size(), 50U);
+    EXPECT_EQ(figure.series[1].steps.size(), 45U);
+    EXPECT_EQ(figure.series[1].runs, 50U);
+    EXPECT_NEAR(figure.series[0].steps.back().y, 1e-5 * 121 * 121 * 1.08, 1e-12);
+}
+
+TEST(ProfileFigure, SaysHowOftenAPlannerIsBestAndHowOftenItSolves)
+{
+    const auto figures = campaignFigures(growing().run(cost));
+    const Figure &figure = named(figures, "overall-profile-time");
+    EXPECT_EQ(figure.series[0].steps.back(), (StepPoint{1, 1}));
+    EXPECT_EQ(figure.series[1].steps.back().y, 0.9);
+    EXPECT_NEAR(figure.series[1].steps.back().x, 1.5, 1e-9);
+    EXPECT_EQ(figure.series[2].steps.back().y, 1);
+}
+
+TEST(ScatterFigure, KeepsFailuresAndCountsThem)
+{
+    const auto figures = campaignFigures(growing().run(cost));
+    const Figure &figure = named(figures, "overall-scatter-path_length-first-second");
+    EXPECT_EQ(figure.pairs.size(), 50U);
+    EXPECT_FALSE(figure.pairs.back().y);
+    EXPECT_THAT(figure.caption, ::testing::HasSubstr("first needs less (45), below it second (0)"));
+    EXPECT_THAT(figure.caption, ::testing::HasSubstr("0 only by first, 5 only by second, 0 by both"));
+}
+
+TEST(RanksFigure, CountsFailuresAsWorst)
+{
+    const auto figures = campaignFigures(growing().run(cost));
+    const Figure &figure = named(figures, "overall-ranks-time");
+    ASSERT_EQ(figure.series.size(), 3U);
+    EXPECT_EQ(figure.series[0].label, "first");
+    EXPECT_EQ(figure.series[0].meanRank, 1);
+    EXPECT_NEAR(figure.series[1].meanRank, 2.1, 1e-12); // nine times second, once third
+    EXPECT_NEAR(figure.criticalDifference, 2.343701 * std::sqrt(12.0 / 60), 1e-5);
+}
+
+TEST(ScalingFigure, NamesTheLawAndItsRate)
+{
+    const auto figures = campaignFigures(growing().run(cost));
+    const Figure &figure = named(figures, "fr_vg-grid-scaling-time");
+    EXPECT_THAT(figure.series[0].remark, ::testing::StartsWith(" ∝ n^2.00 ["));
+    EXPECT_NEAR(*figure.heldOutFrom, std::sqrt(64.0 * 81), 1e-9);
+    EXPECT_THAT(figure.caption, ::testing::HasSubstr("first: the power law"));
+    EXPECT_THAT(figureCsv(figure), ::testing::HasSubstr("fit of first,4,"));
+}
+
+TEST(AnytimeFigure, FollowsTheMedianRun)
+{
+    FakeCampaign campaign("watched", 3);
+    campaign.planner("first").problem("m", "tree", treeInstance());
+    const ResultTable plain = campaign.run(cost);
+    const ResultTable results(campaign.plan(), plain.records(), {},
+                              [&](const std::string &key)
+                              {
+                                  Progress progress;
+                                  progress.names = {"arrived"};
+                                  const double scale = key == plain.records()[0].runKey   ? 1
+                                                       : key == plain.records()[1].runKey ? 2
+                                                                                          : 3;
+                                  for (int i = 1; i <= 4; ++i)
+                                      progress.samples.push_back({0.1 * i, {scale * i}});
+                                  return progress;
+                              });
+    const auto figures = campaignFigures(results);
+    const Figure &figure = named(figures, "m-tree-anytime-arrived");
+    EXPECT_EQ(figure.series[0].points.front().value->median, 2);
+    EXPECT_EQ(figure.series[0].points.back().value, (Quartiles{6, 8, 10, 3}));
+    EXPECT_EQ(figure.series[0].points.back().at, 0.4);
+}
+
+TEST(AskedFigure, IsWhatThePlanSays)
+{
+    FakeCampaign campaign = growing();
+    ChartRequest curves;
+    curves.x = "vertices";
+    curves.y = "path_length";
+    curves.per = "repetition";
+    curves.logY = true;
+    curves.title = "Mine";
+    ChartRequest boxes;
+    boxes.kind = "boxes";
+    boxes.y = "time";
+    ChartRequest impossible;
+    impossible.x = "robots";
+    impossible.y = "optimized_sum_of_costs";
+    campaign.plan().charts = {curves, boxes, impossible};
+    campaign.plan().automaticCharts = false;
+    const auto [figures, complaints] = campaignFigures(campaign.run(cost));
+    ASSERT_EQ(figures.size(), 2U);
+    EXPECT_EQ(figures[0].name, "chart-curves-path_length-vertices-repetition");
+    EXPECT_EQ(figures[0].title, "Mine");
+    EXPECT_EQ(figures[0].series.size(), 15U);
+    EXPECT_EQ(figures[0].series[1].label, "first, repetition 1");
+    EXPECT_EQ(figures[0].logY, true);
+    EXPECT_EQ(figures[1].series[1].sample.size(), 45U);
+    EXPECT_THAT(complaints,
+                ::testing::ElementsAre("chart-curves-optimized_sum_of_costs-robots: no solved run has both "
+                                       "robots and optimized_sum_of_costs"));
+}
+
+TEST(Axis, OfLongNumbersLeavesRoomForItsTitle)
+{
+    FakeCampaign campaign("long", 1);
+    campaign.planner("first").sweep("m", "grid", "robots", {1, 2}, [](double) { return treeInstance(); });
+    const auto figures = campaignFigures(campaign.run(
+        [](RunRecord &record, std::size_t)
+        {
+            solveSmoothly(record, 0);
+            record.pathLength = 1'200'000 + record.sweepValue.value_or(0);
+        }));
+    const std::string script = gnuplotScript(named(figures, "m-grid-path_length"));
+    EXPECT_THAT(script, ::testing::HasSubstr("'1\u202F000\u202F000' 1000000"));
+    // Title at 0.55 cm, nine digits and blanks of a fifth of a centimetre: the panel begins at 3.1 of 16 cm.
+    EXPECT_THAT(script, ::testing::HasSubstr("set lmargin at screen 0.19344"));
+}
+
+TEST(ChartsReport, DrawsOnlyWhatChanged)
+{
+    const TemporaryFolder folder;
+    const ResultTable results = growing().run(cost);
+    (void)ChartsReport().write(results, fakeProvenance(), folder.path());
+    const auto figures = folder.path() / "figures";
+    const std::string kept = readFile(figures / "overall-cactus-time.svg");
+    writeFile(figures / "overall-cactus-time.svg", kept + "<!-- still the old one -->");
+    const std::string changed = readFile(figures / "overall-profile-time.svg");
+    writeFile(figures / "overall-profile-time.svg", changed + "<!-- drawn again -->");
+    writeFile(figures / "overall-profile-time.gp",
+              readFile(figures / "overall-profile-time.gp") + "# edited\n");
+    (void)ChartsReport().write(results, fakeProvenance(), folder.path());
+    EXPECT_NE(readFile(figures / "overall-cactus-time.svg"), kept);
+    EXPECT_EQ(readFile(figures / "overall-profile-time.svg"), changed);
+}
+
+} // namespace
+} // namespace mrpp
