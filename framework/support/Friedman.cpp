@@ -54,12 +54,14 @@ FriedmanTest friedmanTest(const std::vector<std::vector<double>> &costs)
         std::map<double, double> sizes;
         for (std::size_t i = 0; i < planners; ++i)
         {
-            test.meanRanks[i] += rank[i] / n;
+            test.meanRanks[i] += rank[i];
             ++sizes[rank[i]];
         }
         for (const auto &[value, size] : sizes)
             tied += size * size * size - size;
     }
+    for (double &rank : test.meanRanks)
+        rank /= n;
     if (planners < 3 || test.problems < kLeastForFriedman)
     {
         test.refusal = planners < 3 ? "it compares three planners or more"

@@ -48,7 +48,7 @@ set ytics (row_0 0, row_1 1) scale 0
 set grid noytics
 set xlabel measure_text noenhanced
 set title title_text noenhanced font title_font offset 0,-0.2
-set key at screen 0.04,0.03012 left bottom horizontal Left reverse noenhanced samplen 3 spacing 1.1 width 1 maxcols 2
+set key at screen 0.04,0.03012 left bottom vertical Left reverse noenhanced samplen 3 spacing 1.1 width -1 maxrows 1
 plot $values_0 using 2:1:3:4 with xerrorbars ps 0 lw 1 lc rgb '#0072b2' notitle, \
      $values_0 using ($5==$6?$2:NaN):1 with points pt 7 ps 0.7 lc rgb '#0072b2' notitle, \
      $values_0 using ($5<$6?$2:NaN):1 with points pt 7 ps 0.7 lc rgb '#ffffff' notitle, \

@@ -4,10 +4,11 @@ set encoding utf8
 file_name = 'fg_vr-grid-path_length'
 title_text = 'Path length on grid'
 measure_text = 'Path length (moves)'
-variable_text = 'Robots'
 label_0 = 'push_and_swap (16/16 solved)'
 label_1 = 'fails often (9/16 solved)'
 bound_text = 'lower bound'
+variable_text = 'Robots'
+share_text = 'Solved (%)'
 $values_0 << e
 1 11.5 10.75 12.5 4 4 0
 2 23 21.5 25 4 4 0
@@ -61,7 +62,7 @@ set yrange [0:68.37]
 set ytics ('0' 0, '10' 10, '20' 20, '30' 30, '40' 40, '50' 50, '60' 60)
 set label 1 measure_text at screen 0.03438,0.64613 center rotate noenhanced
 set title title_text noenhanced font title_font offset 0,-0.2
-set key at screen 0.04,0.01249 left bottom horizontal Left reverse noenhanced samplen 3 spacing 1.1 width 1 maxcols 2
+set key at screen 0.04,0.01249 left bottom vertical Left reverse noenhanced samplen 3 spacing 1.1 width -1 maxrows 2
 plot $values_0 using 1:3:4 with filledcurves fs transparent solid 0.15 noborder lc rgb '#0072b2' notitle, \
      $values_1 using 1:3:4 with filledcurves fs transparent solid 0.15 noborder lc rgb '#d55e00' notitle, \
      $bounds using 1:2 with lines lw 1.2 dt (4,4) lc rgb '#606060' notitle, \
@@ -88,9 +89,10 @@ set xtics ('1' 1, '2' 2, '3' 3, '4' 4)
 unset logscale y
 set yrange [-12:112]
 set ytics ('0' 0, '50' 50, '100' 100)
-set label 1 'Solved (%)' at screen 0.03438,0.27352 center rotate noenhanced font small_font
+set label 1 share_text at screen 0.03438,0.27352 center rotate noenhanced font small_font
 unset title
 unset key
+unset arrow
 set xlabel variable_text noenhanced
 plot $success_0 using 1:2 with linespoints pt 7 ps 0.45 lw 1.2 dt solid lc rgb '#0072b2', \
      $success_1 using 1:2 with linespoints pt 5 ps 0.45 lw 1.2 dt (12,5) lc rgb '#d55e00'

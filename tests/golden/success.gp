@@ -4,9 +4,10 @@ set encoding utf8
 file_name = 'fg_vr-grid-success_rate'
 title_text = 'Success rate on grid'
 measure_text = 'Runs solved (%)'
-variable_text = 'Robots'
 label_0 = 'push_and_swap (16/16 solved)'
 label_1 = 'fails often (9/16 solved)'
+variable_text = 'Robots'
+share_text = 'Solved (%)'
 $values_0 << e
 1 100 100 100 4 4 0
 2 100 100 100 4 4 0
@@ -43,7 +44,7 @@ set ytics ('0' 0, '25' 25, '50' 50, '75' 75, '100' 100)
 set label 1 measure_text at screen 0.03438,0.55637 center rotate noenhanced
 set title title_text noenhanced font title_font offset 0,-0.2
 set xlabel variable_text noenhanced
-set key at screen 0.04,0.01566 left bottom horizontal Left reverse noenhanced samplen 3 spacing 1.1 width 1 maxcols 2
+set key at screen 0.04,0.01566 left bottom vertical Left reverse noenhanced samplen 3 spacing 1.1 width -1 maxrows 1
 plot $values_0 using 1:($7==1?$2:NaN):3:4 with yerrorbars ps 0 lw 1 lc rgb '#0072b2' notitle, \
      $values_0 using 1:2 with lines lw 1.5 dt solid lc rgb '#0072b2' notitle, \
      $values_0 using 1:($5==$6?$2:NaN) with points pt 7 ps 0.7 lc rgb '#0072b2' notitle, \

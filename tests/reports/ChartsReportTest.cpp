@@ -65,7 +65,7 @@ TEST(ChartsReport, WritesEveryFigureInFiveFiles)
 {
     const TemporaryFolder folder;
     const auto files = ChartsReport().write(sweep(3).run(solveSmoothly), fakeProvenance(), folder.path());
-    EXPECT_EQ(files.size(), 60U); // six figures of the sweep, six of the planners
+    EXPECT_EQ(files.size(), 66U); // thirteen figures, and why planners are not ranked
     for (const auto &file : files)
         EXPECT_TRUE(std::filesystem::exists(file)) << file;
     expectWellFormed(folder.path() / "figures" / "fg_vr-grid-time.svg");
