@@ -203,6 +203,35 @@ Examples:
     command->callback([arguments, &result] { result = *arguments; });
 }
 
+void addView(CLI::App &app, Arguments &result)
+{
+    CLI::App *command = app.add_subcommand("view", "Make a page in which solutions or schedules play");
+    command->footer(
+        R"(One HTML file that needs no server and no network. Several solutions of one instance play side by side; moves that
+break the rules are shown as conflicts. Without --instance the robots start and end as the first solution says.
+
+Examples:
+  mrppsim view --instance theta.instance --solution moves.csv -o theta.html
+  mrppsim view --graph room.map --instance room.scen --solution ours.csv --solution theirs.txt -o both.html)");
+    const auto arguments = std::make_shared<ViewArguments>();
+    optional(*command, "--graph", arguments->graph,
+             "The graph, in any format [the one that the instance names or holds]");
+    optional(*command, "--instance", arguments->instance, "The instance, in any format");
+    optional(*command, "--robots", arguments->robots, "Only the first N robots of the instance")
+        ->type_name("N")
+        ->check(wholeNumberFrom(0));
+    command
+        ->add_option("--solution", arguments->solutions, "The moves, in any format; may stand several times")
+        ->required()
+        ->type_name("FILE")
+        ->allow_extra_args(false);
+    arguments->motion = "rotation";
+    command->add_option("--motion", arguments->motion, "The rule that the moves should obey [rotation]")
+        ->check(oneOf(kMotionRules));
+    command->add_option("-o,--output", arguments->output, "The page to write")->required()->type_name("FILE");
+    command->callback([arguments, &result] { result = *arguments; });
+}
+
 void addConvert(CLI::App &app, Arguments &result)
 {
     CLI::App *command =
@@ -379,6 +408,7 @@ Exit codes: 0 yes or done; 1 a truthful no; 2 wrong use or malformed input; 3 a 
     addSolve(app, result);
     addCheck(app, result);
     addValidate(app, result);
+    addView(app, result);
     addConvert(app, result);
     addGenerate(app, result, catalog);
     addList(app, result);

@@ -90,6 +90,16 @@ struct ValidateArguments
     std::string motion;
 };
 
+struct ViewArguments
+{
+    std::optional<std::filesystem::path> graph;
+    std::optional<std::filesystem::path> instance; ///< the moves say it themselves where not given
+    std::optional<std::int64_t> robots;
+    std::vector<std::filesystem::path> solutions; ///< one or more
+    std::string motion;
+    std::filesystem::path output;
+};
+
 struct ConvertArguments
 {
     std::filesystem::path in;
@@ -129,8 +139,8 @@ struct Answered
 };
 
 using Arguments = std::variant<Answered, RunArguments, ReportArguments, MergeArguments, ReplayArguments,
-                               SolveArguments, CheckArguments, ValidateArguments, ConvertArguments,
-                               GenerateArguments, ListArguments, WorkerArguments>;
+                               SolveArguments, CheckArguments, ValidateArguments, ViewArguments,
+                               ConvertArguments, GenerateArguments, ListArguments, WorkerArguments>;
 
 /// Prints help to the standard output, complaints to the standard error.
 /// \param catalog whose generators have an option for each of their parameters

@@ -20,6 +20,7 @@ namespace mrpp
 [[nodiscard]] ExitCode solve(const SolveArguments &arguments, const Catalog &catalog);
 [[nodiscard]] ExitCode check(const CheckArguments &arguments);
 [[nodiscard]] ExitCode validate(const ValidateArguments &arguments);
+[[nodiscard]] ExitCode view(const ViewArguments &arguments);
 [[nodiscard]] ExitCode convert(const ConvertArguments &arguments);
 [[nodiscard]] ExitCode generate(const GenerateArguments &arguments, const Catalog &catalog);
 [[nodiscard]] ExitCode list(const ListArguments &arguments, const Catalog &catalog);

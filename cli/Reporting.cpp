@@ -1,8 +1,10 @@
 #include "cli/Reporting.h"
 
+#include "framework/campaign/InProcessExecutor.h"
 #include "framework/campaign/Provenance.h"
 #include "framework/campaign/ResultStore.h"
 #include "framework/campaign/ResultTable.h"
+#include "framework/campaign/RunPlanner.h"
 #include "framework/support/File.h"
 #include "yaml/PlanReader.h"
 
@@ -39,9 +41,14 @@ std::vector<std::filesystem::path> writeReports(const BenchmarkPlan &plan,
     const std::filesystem::path provenanceFile = folder / "provenance.json";
     const Provenance provenance = Provenance::fromJson(readFile(provenanceFile), provenanceFile);
     const ResultStore store(folder, ResultStore::Access::read);
+    std::vector<NamedOptimizer> optimizers;
+    for (const Configured &optimizer : plan.optimizers)
+        optimizers.push_back({optimizer.name, create(catalog.optimizers, optimizer)});
     const ResultTable table(
         plan, store.records(), [&store](const std::string &runKey) { return store.solution(runKey); },
-        [&store](const std::string &runKey) { return store.progress(runKey); });
+        [&store](const std::string &runKey) { return store.progress(runKey); },
+        [&optimizers](const Instance &instance, Solution solution)
+        { return improved(instance, std::move(solution), optimizers); });
     std::vector<std::filesystem::path> files;
     for (const auto &report : reports)
     {

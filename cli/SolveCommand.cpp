@@ -103,13 +103,8 @@ void writeFiles(const SolveArguments &arguments, const RunResult &result, const 
         if (arguments.solution)
             saveSolution(files, *arguments.solution, result.solution);
         if (arguments.optimizedSolution)
-        {
-            Solution solution = result.solution;
-            for (const NamedOptimizer &optimizer : optimizers)
-                solution = optimizer.optimizer->improve(instance, std::move(solution),
-                                                        TerminationCondition::never());
-            saveSolution(files, *arguments.optimizedSolution, solution);
-        }
+            saveSolution(files, *arguments.optimizedSolution,
+                         improved(instance, result.solution, optimizers));
         if (arguments.schedule)
             saveSolution(files, *arguments.schedule,
                          condense(instance, result.solution, MotionRule::following));

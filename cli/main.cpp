@@ -30,6 +30,7 @@ struct Dispatch
     ExitCode operator()(const SolveArguments &arguments) const { return solve(arguments, catalog); }
     ExitCode operator()(const CheckArguments &arguments) const { return check(arguments); }
     ExitCode operator()(const ValidateArguments &arguments) const { return validate(arguments); }
+    ExitCode operator()(const ViewArguments &arguments) const { return view(arguments); }
     ExitCode operator()(const ConvertArguments &arguments) const { return convert(arguments); }
     ExitCode operator()(const GenerateArguments &arguments) const { return generate(arguments, catalog); }
     ExitCode operator()(const ListArguments &arguments) const { return list(arguments, catalog); }

@@ -2,6 +2,7 @@
 
 #include "reports/ChartsReport.h"
 #include "reports/CsvReport.h"
+#include "reports/HtmlReport.h"
 #include "reports/LayoutsReport.h"
 #include "reports/PdfReport.h"
 
@@ -18,6 +19,8 @@ void registerReports(Catalog &catalog)
         "layouts", "pictures of the instances with starts, goals and routes, by Graphviz");
     catalog.reports.add<PdfReport>("pdf",
                                    "report.pdf: provenance, plan, tables, failures, every figure and layout");
+    catalog.reports.add<HtmlReport>(
+        "html", "report.html: charts, a table of all runs, and solutions that play, in one file");
 }
 
 } // namespace mrpp

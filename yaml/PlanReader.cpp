@@ -150,6 +150,28 @@ Keep readKeep(const Config::Entry &entry)
     return keep;
 }
 
+ExplorerChoice readExplorer(const Config::Entry &entry)
+{
+    ExplorerChoice explorer;
+    requireMap(entry.value, entry.where, "'explorer' takes a map: {solutions: first, size: 10 MB}");
+    checkKeys(entry.value, "explorer", {"solutions", "size"});
+    for (const Config::Entry &setting : entry.value.entries())
+    {
+        if (setting.key == "size")
+        {
+            explorer.size = quantityOf(setting, kMemoryUnits, "500 kB, 10 MB");
+            continue;
+        }
+        explorer.solutions = textOf(setting);
+        const std::vector<std::string> known = {"first", "all", "none"};
+        if (std::find(known.begin(), known.end(), explorer.solutions) == known.end())
+            throw PlanError(setting.value.where(), "'solutions' takes first, all or none, but is '" +
+                                                       explorer.solutions + "'" +
+                                                       suggestion(explorer.solutions, known));
+    }
+    return explorer;
+}
+
 /// Sets each parameter of a fresh object, so that nothing is wrong with them later.
 void readSettings(const Config::Entry &entry, ParameterSet &parameters, Configured &configured)
 {
@@ -329,7 +351,7 @@ BenchmarkPlan parsePlan(const std::string &text, const std::filesystem::path &fi
     requireMap(root, top, "a plan is a map of keys: campaign, problems, planners, …");
     checkKeys(root, "a plan",
               {"campaign", "seed", "repetitions", "limits", "problems", "planners", "optimizers", "reports",
-               "motion", "execution", "keep", "maps"});
+               "motion", "execution", "keep", "explorer", "maps"});
 
     BenchmarkPlan plan;
     plan.mapFolders = searchPaths;
@@ -362,6 +384,8 @@ BenchmarkPlan parsePlan(const std::string &text, const std::filesystem::path &fi
             plan.execution = readExecution(entry);
         else if (entry.key == "keep")
             plan.keep = readKeep(entry);
+        else if (entry.key == "explorer")
+            plan.explorer = readExplorer(entry);
         else if (entry.key == "motion")
         {
             const auto rule = motionRule(textOf(entry));

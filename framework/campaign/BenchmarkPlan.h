@@ -72,6 +72,13 @@ struct ChartRequest
     std::optional<bool> logY;
 };
 
+/// Which solutions the explorer (report.html) can play.
+struct ExplorerChoice
+{
+    std::string solutions = "first"; ///< of each point's first repetition; "all"; "none"
+    double size = 10;                ///< MB of the page, at most, for solutions and their graphs
+};
+
 struct BenchmarkPlan
 {
     std::string campaign;
@@ -87,6 +94,7 @@ struct BenchmarkPlan
     MotionRule motion = MotionRule::rotation;
     Execution execution;
     Keep keep;
+    ExplorerChoice explorer;
     std::string text;           ///< the plan file, verbatim
     std::filesystem::path file; ///< where it was read
     std::vector<std::filesystem::path>

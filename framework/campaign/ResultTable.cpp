@@ -23,9 +23,10 @@ auto questionOf(const RunRecord &record)
 } // namespace
 
 ResultTable::ResultTable(BenchmarkPlan plan, std::vector<RunRecord> records, SolutionLoader loadSolution,
-                         ProgressLoader loadProgress)
+                         ProgressLoader loadProgress, SolutionOptimizer optimize)
     : plan_(std::move(plan)), specs_(expand(plan_, MissingInput::tolerate)),
-      loadSolution_(std::move(loadSolution)), loadProgress_(std::move(loadProgress))
+      loadSolution_(std::move(loadSolution)), loadProgress_(std::move(loadProgress)),
+      optimize_(std::move(optimize))
 {
     std::unordered_map<std::string, std::size_t> byKey;
     std::map<decltype(questionOf(RunRecord())), std::size_t> byQuestion;
@@ -83,6 +84,17 @@ std::optional<Solution> ResultTable::solution(const RunRecord &record) const
 Progress ResultTable::progress(const RunRecord &record) const
 {
     return loadProgress_ ? loadProgress_(record.runKey) : Progress();
+}
+
+std::optional<Solution> ResultTable::optimizedSolution(const RunRecord &record, const Instance &instance,
+                                                       const Solution &solution) const
+{
+    if (!optimize_ || plan_.optimizers.empty() || !record.optimizedPathLength)
+        return std::nullopt;
+    Solution optimized = optimize_(instance, solution);
+    const bool isAsRecorded =
+        static_cast<std::int64_t>(optimized.pathLength()) == *record.optimizedPathLength;
+    return isAsRecorded ? std::optional(std::move(optimized)) : std::nullopt;
 }
 
 } // namespace mrpp

@@ -21,10 +21,12 @@ class ResultTable
 public:
     using SolutionLoader = std::function<std::optional<Solution>(const std::string &runKey)>;
     using ProgressLoader = std::function<Progress(const std::string &runKey)>;
+    /// What the plan's optimizers make of a solution.
+    using SolutionOptimizer = std::function<Solution(const Instance &instance, Solution solution)>;
 
     /// \param records finished runs, in any order; those that are not in the plan are left out
     ResultTable(BenchmarkPlan plan, std::vector<RunRecord> records, SolutionLoader loadSolution,
-                ProgressLoader loadProgress = {});
+                ProgressLoader loadProgress = {}, SolutionOptimizer optimize = {});
 
     [[nodiscard]] const BenchmarkPlan &plan() const { return plan_; }
 
@@ -43,12 +45,18 @@ public:
     /// What the run's progress properties were over time; empty where none was watched.
     [[nodiscard]] Progress progress(const RunRecord &record) const;
 
+    /// A kept solution after the plan's optimizers, which are run again; nothing where there are none, or
+    /// where what comes out now is not as long as what was recorded.
+    [[nodiscard]] std::optional<Solution> optimizedSolution(const RunRecord &record, const Instance &instance,
+                                                            const Solution &solution) const;
+
 private:
     BenchmarkPlan plan_;
     std::vector<RunSpec> specs_;
     std::vector<RunRecord> records_;
     SolutionLoader loadSolution_;
     ProgressLoader loadProgress_;
+    SolutionOptimizer optimize_;
 };
 
 } // namespace mrpp

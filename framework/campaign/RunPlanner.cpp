@@ -227,6 +227,13 @@ std::string reasonToReject(const Planner &planner, const Instance &instance, Mot
 
 } // namespace
 
+Solution improved(const Instance &instance, Solution solution, std::span<const NamedOptimizer> optimizers)
+{
+    for (const NamedOptimizer &step : optimizers)
+        solution = step.optimizer->improve(instance, std::move(solution), TerminationCondition::never());
+    return solution;
+}
+
 const char *toString(RunPhase phase)
 {
     switch (phase)

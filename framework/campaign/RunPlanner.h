@@ -52,6 +52,10 @@ struct NamedOptimizer
     std::unique_ptr<const Optimizer> optimizer;
 };
 
+/// The optimizers one after another, unchecked and without a limit of time.
+[[nodiscard]] Solution improved(const Instance &instance, Solution solution,
+                                std::span<const NamedOptimizer> optimizers);
+
 /// The parts of a run, in their order; those after solve are left out where there is no solution.
 enum class RunPhase : std::uint8_t
 {

@@ -11,19 +11,6 @@ namespace
 {
 
 constexpr std::uint8_t kFormat = 1;
-/// The difference modulo 2³², small in both directions (zigzag).
-void writeDifference(ByteWriter &writer, std::uint32_t value, std::uint32_t expected)
-{
-    const std::uint32_t delta = value - expected;
-    writer.number((delta << 1) ^ (0 - (delta >> 31)));
-}
-
-std::uint32_t readDifference(ByteReader &reader, std::uint32_t expected)
-{
-    // Too large a number is damage, or another number; either way the result is some 32-bit number.
-    const auto code = static_cast<std::uint32_t>(reader.number());
-    return expected + ((code >> 1) ^ (0 - (code & 1U)));
-}
 
 /// Where each robot went last, which is where its next move begins.
 using Places = std::unordered_map<Robot, Vertex>;
@@ -48,9 +35,9 @@ std::vector<std::uint8_t> packSolution(const Solution &solution)
     for (const Move &move : solution.moves())
     {
         Vertex &place = places[move.robot];
-        writeDifference(writer, move.robot, robot);
-        writeDifference(writer, move.from, place);
-        writeDifference(writer, move.to, move.from);
+        writer.difference(move.robot, robot);
+        writer.difference(move.from, place);
+        writer.difference(move.to, move.from);
         robot = move.robot;
         place = move.to;
     }
@@ -86,10 +73,10 @@ std::optional<Solution> unpackSolution(std::span<const std::uint8_t> bytes)
     Robot robot = 0;
     for (Move &move : moves)
     {
-        robot = move.robot = readDifference(reader, robot);
+        robot = move.robot = reader.difference(robot);
         Vertex &place = places[robot];
-        move.from = readDifference(reader, place);
-        place = move.to = readDifference(reader, move.from);
+        move.from = reader.difference(place);
+        place = move.to = reader.difference(move.from);
     }
     if (!reader.good() || reader.left() != 0)
         return std::nullopt;

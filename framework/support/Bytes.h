@@ -27,6 +27,13 @@ public:
         byte(static_cast<std::uint8_t>(value));
     }
 
+    /// How far a value is from another, modulo 2³²: small in both directions (zigzag).
+    void difference(std::uint32_t value, std::uint32_t expected)
+    {
+        const std::uint32_t delta = value - expected;
+        number((delta << 1) ^ (0 - (delta >> 31)));
+    }
+
     /// Eight bytes, every bit kept.
     void real(double value)
     {
@@ -84,6 +91,13 @@ public:
         }
         good_ = false;
         return 0;
+    }
+
+    /// Whatever the bytes are, the result is some 32-bit number.
+    std::uint32_t difference(std::uint32_t expected)
+    {
+        const auto code = static_cast<std::uint32_t>(number());
+        return expected + ((code >> 1) ^ (0 - (code & 1U)));
     }
 
     double real()

@@ -43,29 +43,6 @@ std::string inches(double points)
     return fmt::format("{:.4f}", points / 72);
 }
 
-/// Positions from Graphviz' own engines.
-Placement placeByEngine(const Graph &graph, const Scale &scale)
-{
-    if (graph.vertexCount() > kLargestForceLayout)
-        throw DrawingError(fmt::format("{} vertices without coordinates are too many for Graphviz to arrange "
-                                       "(at most {})",
-                                       graph.vertexCount(), kLargestForceLayout));
-    GraphvizGraph drawing;
-    drawing.setDefault(GraphvizGraph::Kind::graph, "overlap", "prism");
-    drawing.setDefault(GraphvizGraph::Kind::graph, "start", "1");
-    drawing.setDefault(GraphvizGraph::Kind::graph, "K", inches(scale.spacing));
-    drawing.setDefault(GraphvizGraph::Kind::node, "shape", "circle");
-    drawing.setDefault(GraphvizGraph::Kind::node, "fixedsize", "true");
-    drawing.setDefault(GraphvizGraph::Kind::node, "label", "");
-    drawing.setDefault(GraphvizGraph::Kind::node, "width", inches(scale.diameter * 1.4));
-    drawing.setDefault(GraphvizGraph::Kind::edge, "len", inches(scale.spacing));
-    for (Vertex v = 0; v < graph.vertexCount(); ++v)
-        drawing.addNode();
-    for (const Graph::Edge &edge : graph.edges())
-        drawing.addEdge(edge.a, edge.b);
-    return {drawing.arrange(graph.vertexCount() <= kLargestSpringLayout ? "neato" : "sfdp"), scale.spacing};
-}
-
 /// Who starts and who has to end at each vertex.
 struct Roles
 {
@@ -311,6 +288,28 @@ std::optional<Placement> placeByCoordinates(const Graph &graph, double spacing)
     return Placement{std::move(positions), unit * factor};
 }
 
+Placement placeByEngine(const Graph &graph, double spacing, double diameter)
+{
+    if (graph.vertexCount() > kLargestForceLayout)
+        throw DrawingError(fmt::format("{} vertices without coordinates are too many for Graphviz to arrange "
+                                       "(at most {})",
+                                       graph.vertexCount(), kLargestForceLayout));
+    GraphvizGraph drawing;
+    drawing.setDefault(GraphvizGraph::Kind::graph, "overlap", "prism");
+    drawing.setDefault(GraphvizGraph::Kind::graph, "start", "1");
+    drawing.setDefault(GraphvizGraph::Kind::graph, "K", inches(spacing));
+    drawing.setDefault(GraphvizGraph::Kind::node, "shape", "circle");
+    drawing.setDefault(GraphvizGraph::Kind::node, "fixedsize", "true");
+    drawing.setDefault(GraphvizGraph::Kind::node, "label", "");
+    drawing.setDefault(GraphvizGraph::Kind::node, "width", inches(diameter * 1.4));
+    drawing.setDefault(GraphvizGraph::Kind::edge, "len", inches(spacing));
+    for (Vertex v = 0; v < graph.vertexCount(); ++v)
+        drawing.addNode();
+    for (const Graph::Edge &edge : graph.edges())
+        drawing.addEdge(edge.a, edge.b);
+    return {drawing.arrange(graph.vertexCount() <= kLargestSpringLayout ? "neato" : "sfdp"), spacing};
+}
+
 std::vector<std::vector<Robot>> edgeUsers(const Graph &graph, const Solution &solution, std::size_t limit)
 {
     std::vector<std::size_t> edgeOfArc; // the position in Graph::edges() of each arc
@@ -349,7 +348,7 @@ Picture drawInstance(const Instance &instance, const Solution *solution, const s
         return drawMap(instance, solution, *placement, title);
     }
     if (!placement)
-        placement = placeByEngine(graph, scale);
+        placement = placeByEngine(graph, scale.spacing, scale.diameter);
     return InstanceDrawing(instance, solution, *placement, scale).render(title);
 }
 

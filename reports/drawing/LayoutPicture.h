@@ -34,6 +34,10 @@ struct Placement
 /// that can be used. O(V log V + E).
 [[nodiscard]] std::optional<Placement> placeByCoordinates(const Graph &graph, double spacing);
 
+/// Arranged by Graphviz, neighbours about `spacing` apart and vertices of that diameter without overlaps.
+/// The same graph gets the same places. Throws DrawingError where the graph is too large.
+[[nodiscard]] Placement placeByEngine(const Graph &graph, double spacing, double diameter);
+
 /// Draws an instance; `solution` may be null. The same input gives the same bytes.
 /// Throws DrawingError where the graph is too large or Graphviz fails.
 [[nodiscard]] Picture drawInstance(const Instance &instance, const Solution *solution,

@@ -1,6 +1,7 @@
 /// Runs the commands of docs/*.md, so that what they teach stays true. In the text, a comment before a fenced
 /// block says what it is: `<!-- file: NAME -->` makes it a file, `<!-- run -->` runs it by sh, line by line
-/// until one fails, `<!-- run: 1 -->` expects that exit code. All blocks of a page share a folder.
+/// until one fails, `<!-- run: 1 -->` expects that exit code, `<!-- run with the explorer -->` runs it where
+/// the program has the explorer. All blocks of a page share a folder.
 
 #include "tests/cli/Program.h"
 
@@ -15,6 +16,12 @@ namespace mrpp::test
 
 namespace
 {
+
+#ifdef MRPP_HAS_EXPLORER
+constexpr bool kHasExplorer = true;
+#else
+constexpr bool kHasExplorer = false;
+#endif
 
 struct Block
 {
@@ -48,10 +55,15 @@ std::vector<Block> blocksOf(const std::filesystem::path &page)
             block = {line.substr(11, line.find(" -->") - 11), 0, "", number};
             marked = true;
         }
-        else if (line.starts_with("<!-- run"))
+        else if (line.starts_with("<!-- run: ") || line == "<!-- run -->")
         {
             block = {"", line.starts_with("<!-- run: ") ? std::stoi(line.substr(10)) : 0, "", number};
             marked = true;
+        }
+        else if (line == "<!-- run with the explorer -->")
+        {
+            block = {"", 0, "", number};
+            marked = kHasExplorer;
         }
         else if (line.starts_with("```"))
         {

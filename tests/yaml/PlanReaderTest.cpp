@@ -46,6 +46,7 @@ reports: [charts, csv]
 motion: pebble
 execution: {jobs: 2, isolation: process}
 keep: {instances: true, solutions: false}
+explorer: {solutions: all, size: 500 kB}
 )yaml");
     EXPECT_EQ(read.campaign, "Objective-05_b.2");
     EXPECT_EQ(read.seed, 2016U);
@@ -69,6 +70,8 @@ keep: {instances: true, solutions: false}
     EXPECT_EQ(read.execution.isolation, "process");
     EXPECT_TRUE(read.keep.instances);
     EXPECT_FALSE(read.keep.solutions);
+    EXPECT_EQ(read.explorer.solutions, "all");
+    EXPECT_DOUBLE_EQ(read.explorer.size, 0.5);
     EXPECT_EQ(read.file, "folder/my_plan.yaml");
 }
 
@@ -291,6 +294,10 @@ INSTANTIATE_TEST_SUITE_P(
         BadPlan{"execution: 2", "12", "'execution' takes a map"},
         BadPlan{"keep: {solutions: maybe}", "19", "'solutions' takes true or false"},
         BadPlan{"keep: {everything: true}", "8", "unknown key 'everything' in keep"},
+        BadPlan{"explorer: {solutions: frist}", "23",
+                "'solutions' takes first, all or none, but is 'frist'; did you mean 'first'?"},
+        BadPlan{"explorer: {size: 10}", "18", "'size' takes a number and a unit, as in 500 kB, 10 MB"},
+        BadPlan{"explorer: all", "11", "'explorer' takes a map"},
         BadPlan{"sed: 1", "1", "unknown key 'sed' in a plan; did you mean 'seed'?"}));
 
 TEST(PlanReader, aFileNameThatNamesNoCampaignMustBeReplaced)

@@ -1,0 +1,11 @@
+#include "reports/explorer/ExplorerTemplate.h"
+
+namespace mrpp
+{
+
+std::string_view explorerTemplate()
+{
+    return {};
+}
+
+} // namespace mrpp
