@@ -10,8 +10,9 @@ export function el<Name extends keyof HTMLElementTagNameMap>(
 ): HTMLElementTagNameMap[Name] {
   const element = document.createElement(name);
   for (const [key, value] of Object.entries(attributes)) {
-    if (value === null || value === undefined || value === false) continue;
-    element.setAttribute(key, value === true ? "" : String(value));
+    const isSaid = key.startsWith("aria-"); // there false says something
+    if (value === null || value === undefined || (value === false && !isSaid)) continue;
+    element.setAttribute(key, value === true && !isSaid ? "" : String(value));
   }
   for (const child of children) if (child !== null && child !== undefined) element.append(child);
   return element;
@@ -29,13 +30,11 @@ export function choice(
   options: [string, string][],
   value: string,
   onChange: (value: string) => void,
-): HTMLLabelElement & { control: HTMLSelectElement } {
-  const select = el("select");
+): HTMLLabelElement {
+  const select = el("select", { "aria-label": label });
   setOptions(select, options, value);
   select.addEventListener("change", () => onChange(select.value));
-  return el("label", { class: "choice" }, el("span", {}, label), select) as HTMLLabelElement & {
-    control: HTMLSelectElement;
-  };
+  return el("label", { class: "choice" }, el("span", {}, label), select);
 }
 
 export function setOptions(select: HTMLSelectElement, options: [string, string][], value: string): void {
@@ -47,13 +46,11 @@ export function checkbox(
   label: string,
   checked: boolean,
   onChange: (checked: boolean) => void,
-): HTMLLabelElement & { control: HTMLInputElement } {
+): HTMLLabelElement {
   const input = el("input", { type: "checkbox" });
   input.checked = checked;
   input.addEventListener("change", () => onChange(input.checked));
-  return el("label", { class: "check" }, input, el("span", {}, label)) as HTMLLabelElement & {
-    control: HTMLInputElement;
-  };
+  return el("label", { class: "check" }, input, el("span", {}, label));
 }
 
 /** Gives a file to the user. */
