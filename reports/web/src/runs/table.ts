@@ -164,5 +164,5 @@ function widthOf(column: Column): number {
   if (column.numbers) return Math.max(96, forTitle);
   const kMostLooked = 200;
   const longest = column.texts.slice(0, kMostLooked).reduce((most, text) => Math.max(most, text.length), column.title.length);
-  return Math.min(Math.max(forTitle, longest * 7.5 + 16), 300);
+  return Math.min(Math.max(forTitle, longest * 8.2 + 18), 300);
 }
