@@ -1,4 +1,5 @@
-// What a chart shows, whatever draws it: curves with bands, marks with their quartiles, and a dot for each run.
+// What a chart shows, whatever draws it: curves with bands, marks with their quartiles, and a dot for each
+// run.
 import type { PlannerStyle, Runs } from "../data/campaign";
 import { columnTitle } from "../runs/format";
 import { groupBy, quartiles } from "./groups";
@@ -9,270 +10,343 @@ export const kSuccess = "success_rate";
 export const kProblem = "problem"; // as an x axis of names
 
 export interface ChartSettings {
-  kind: ChartKind;
-  x: string;
-  y: string;
-  problem: string; // "model/problem"; empty for all
-  planners: number[]; // indices of those that are shown
-  first: number; // planners that are compared by "versus"
-  second: number;
+    kind: ChartKind;
+    x: string;
+    y: string;
+    problem: string; // "model/problem"; empty for all
+    planners: number[]; // indices of those that are shown
+    first: number; // planners that are compared by "versus"
+    second: number;
 }
 
 export interface Curve {
-  name: string;
-  planner: number;
-  x: number[];
-  y: (number | null)[];
-  low: (number | null)[];
-  high: (number | null)[];
+    name: string;
+    planner: number;
+    x: number[];
+    y: (number | null)[];
+    low: (number | null)[];
+    high: (number | null)[];
 }
 
 export interface Mark {
-  planner: number;
-  x: number;
-  low: number;
-  median: number;
-  high: number;
+    planner: number;
+    x: number;
+    low: number;
+    median: number;
+    high: number;
 }
 
 export interface Dot {
-  run: number;
-  x: number;
-  y: number;
-  planner: number;
-  text: string;
+    run: number;
+    x: number;
+    y: number;
+    planner: number;
+    text: string;
 }
 
 export interface ChartModel {
-  xTitle: string;
-  yTitle: string;
-  xIsTime: boolean; // seconds
-  yIsTime: boolean;
-  xNames: string[] | null; // of the places 0, 1, … where the axis has names
-  curves: Curve[];
-  marks: Mark[];
-  dots: Dot[];
-  guides: [number, number, number, number][]; // lines x1, y1, x2, y2
-  caption: string;
+    xTitle: string;
+    yTitle: string;
+    xIsTime: boolean; // seconds
+    yIsTime: boolean;
+    xNames: string[] | null; // of the places 0, 1, … where the axis has names
+    curves: Curve[];
+    marks: Mark[];
+    dots: Dot[];
+    guides: [number, number, number, number][]; // lines x1, y1, x2, y2
+    caption: string;
 }
 
 export function problemOf(runs: Runs, run: number): string {
-  return `${runs.text("model", run)}/${runs.text("problem", run)}`;
+    return `${runs.text("model", run)}/${runs.text("problem", run)}`;
 }
 
 export function problemsOf(runs: Runs): string[] {
-  return [...groupBy(runIndices(runs), (run) => problemOf(runs, run)).keys()];
+    return [...groupBy(runIndices(runs), (run) => problemOf(runs, run)).keys()];
 }
 
 export function isSwept(runs: Runs): boolean {
-  return runs.text("sweep_variable", 0) !== "" && new Set(runs.column("sweep_value").numbers).size > 1;
+    return runs.text("sweep_variable", 0) !== "" && new Set(runs.column("sweep_value").numbers).size > 1;
 }
 
 export function buildChart(runs: Runs, planners: PlannerStyle[], settings: ChartSettings): ChartModel {
-  return new Builder(runs, planners, settings).build();
+    return new Builder(runs, planners, settings).build();
 }
 
 function runIndices(runs: Runs): number[] {
-  return Array.from({ length: runs.count }, (_, run) => run);
+    return Array.from({ length: runs.count }, (_, run) => run);
 }
 
 class Builder {
-  private readonly plannerOf: (run: number) => number;
-  private readonly chosen: number[]; // runs of the problem and planners that are shown
+    private readonly plannerOf: (run: number) => number;
+    private readonly chosen: number[]; // runs of the problem and planners that are shown
 
-  constructor(
-    private readonly runs: Runs,
-    private readonly planners: PlannerStyle[],
-    private readonly settings: ChartSettings,
-  ) {
-    const numbers = new Map(planners.map(({ name }, i) => [name, i]));
-    this.plannerOf = (run) => numbers.get(runs.text("planner", run)) ?? -1;
-    const shown = settings.kind === "versus" ? [settings.first, settings.second] : settings.planners;
-    this.chosen = runIndices(runs).filter(
-      (run) =>
-        (settings.problem === "" || problemOf(runs, run) === settings.problem) && shown.includes(this.plannerOf(run)),
-    );
-  }
-
-  build(): ChartModel {
-    switch (this.settings.kind) {
-      case "sweep":
-        return this.settings.x === kProblem ? this.comparison() : this.sweep();
-      case "cactus":
-        return this.cactus();
-      case "scatter":
-        return this.scatter();
-      case "versus":
-        return this.versus();
+    constructor(
+        private readonly runs: Runs,
+        private readonly planners: PlannerStyle[],
+        private readonly settings: ChartSettings,
+    ) {
+        const numbers = new Map(planners.map(({ name }, i) => [name, i]));
+        this.plannerOf = (run) => numbers.get(runs.text("planner", run)) ?? -1;
+        const shown = settings.kind === "versus" ? [settings.first, settings.second] : settings.planners;
+        this.chosen = runIndices(runs).filter(
+            (run) =>
+                (settings.problem === "" || problemOf(runs, run) === settings.problem) &&
+                shown.includes(this.plannerOf(run)),
+        );
     }
-  }
 
-  private isSolved(run: number): boolean {
-    return this.runs.text("status", run) === "solved";
-  }
-
-  private title(column: string): string {
-    if (column === kSuccess) return "Runs solved (%)";
-    if (column === "sweep_value") {
-      const names = new Set(this.chosen.map((run) => this.runs.text("sweep_variable", run)));
-      return [...names].join(", ").replaceAll("_", " ") || "sweep value";
+    build(): ChartModel {
+        switch (this.settings.kind) {
+            case "sweep":
+                return this.settings.x === kProblem ? this.comparison() : this.sweep();
+            case "cactus":
+                return this.cactus();
+            case "scatter":
+                return this.scatter();
+            case "versus":
+                return this.versus();
+        }
     }
-    const known = this.runs.column(column);
-    return known.unit === "s" ? known.title : columnTitle(known);
-  }
 
-  /** A cost of a solved run; nothing of the others. */
-  private cost(run: number): number | null {
-    return this.isSolved(run) ? this.runs.number(this.settings.y, run) : null;
-  }
-
-  private text(run: number): string {
-    return `${this.runs.text("planner", run)} on ${this.runs.text("case", run)}`;
-  }
-
-  private count(runs: number[]): string {
-    return `${runs.filter((run) => this.isSolved(run)).length} of ${runs.length} runs solved`;
-  }
-
-  /** The values of the runs at one place: costs of the solved ones, or the share of them. */
-  private summary(runs: number[]): { low: number; median: number; high: number } | null {
-    if (this.settings.y === kSuccess) {
-      const percent = (100 * runs.filter((run) => this.isSolved(run)).length) / runs.length;
-      return { low: percent, median: percent, high: percent };
+    private isSolved(run: number): boolean {
+        return this.runs.text("status", run) === "solved";
     }
-    return quartiles(runs.map((run) => this.cost(run)).filter((value) => value !== null));
-  }
 
-  private dots(xOf: (run: number) => number | null): Dot[] {
-    if (this.settings.y === kSuccess) return [];
-    return this.chosen.flatMap((run) => {
-      const x = xOf(run);
-      const y = this.cost(run);
-      return x === null || y === null ? [] : [{ run, x, y, planner: this.plannerOf(run), text: this.text(run) }];
-    });
-  }
-
-  private sweep(): ChartModel {
-    const { x, y } = this.settings;
-    const curves = [...groupBy(this.chosen, (run) => this.plannerOf(run))].map(([planner, ofPlanner]): Curve => {
-      const places = [...groupBy(ofPlanner.filter((run) => this.runs.number(x, run) !== null), (run) => this.runs.number(x, run)!)];
-      places.sort(([a], [b]) => a - b);
-      const summaries = places.map(([, there]) => this.summary(there));
-      return {
-        name: `${this.planners[planner].name}: ${this.count(ofPlanner)}`,
-        planner,
-        x: places.map(([place]) => place),
-        y: summaries.map((summary) => summary?.median ?? null),
-        low: summaries.map((summary) => summary?.low ?? null),
-        high: summaries.map((summary) => summary?.high ?? null),
-      };
-    });
-    return {
-      ...this.empty(this.title(x), this.title(y)),
-      curves,
-      dots: this.dots((run) => this.runs.number(x, run)),
-      caption: "Lines: medians over the solved runs; bands: their quartiles; dots: runs.",
-    };
-  }
-
-  /** Planners beside each other at each problem (and sweep point). */
-  private comparison(): ChartModel {
-    const placeOf = (run: number): string => {
-      const value = this.runs.number("sweep_value", run);
-      return this.runs.text("problem", run) + (value === null ? "" : `, ${value}`);
-    };
-    const names = [...groupBy(this.chosen, placeOf).keys()];
-    const places = new Map(names.map((name, i) => [name, i]));
-    const shown = this.settings.planners;
-    const beside = (planner: number): number => ((shown.indexOf(planner) + 1) / (shown.length + 1) - 0.5) * 0.8;
-    const xOf = (run: number): number => places.get(placeOf(run))! + beside(this.plannerOf(run));
-    const marks = [...groupBy(this.chosen, xOf)].flatMap(([x, there]): Mark[] => {
-      const summary = this.summary(there);
-      return summary ? [{ planner: this.plannerOf(there[0]), x, low: summary.low, median: summary.median, high: summary.high }] : [];
-    });
-    return {
-      ...this.empty("", this.title(this.settings.y)),
-      xNames: names,
-      curves: [...groupBy(this.chosen, (run) => this.plannerOf(run))].map(([planner, ofPlanner]) => ({
-        name: `${this.planners[planner].name}: ${this.count(ofPlanner)}`, planner, x: [], y: [], low: [], high: [],
-      })),
-      marks,
-      dots: this.dots(xOf),
-      caption: "Marks: medians over the solved runs; bars: their quartiles; dots: runs. No mark: none was solved.",
-    };
-  }
-
-  /** How many runs a planner solves when each may cost so much. */
-  private cactus(): ChartModel {
-    const dots: Dot[] = [];
-    const most = [...groupBy(this.chosen, (run) => this.plannerOf(run)).values()].reduce((n, of) => Math.max(n, of.length), 0);
-    const curves = [...groupBy(this.chosen, (run) => this.plannerOf(run))].map(([planner, ofPlanner]): Curve => {
-      const solved = ofPlanner.filter((run) => this.cost(run) !== null).sort((a, b) => this.cost(a)! - this.cost(b)!);
-      const costs = solved.map((run) => this.cost(run)!);
-      solved.forEach((run, i) => dots.push({ run, x: i + 1, y: costs[i], planner, text: this.text(run) }));
-      return { name: `${this.planners[planner].name}: ${this.count(ofPlanner)}`, planner, x: costs.map((_, i) => i + 1), y: costs, low: [], high: [] };
-    });
-    return {
-      ...this.empty(`Runs solved (of ${most})`, `${this.title(this.settings.y)}, at most`),
-      curves,
-      dots,
-      caption: "Each planner's solved runs, cheapest first: further to the right means more solved, lower means cheaper.",
-    };
-  }
-
-  private scatter(): ChartModel {
-    const { x, y } = this.settings;
-    const dots = this.dots((run) => this.runs.number(x, run));
-    return {
-      ...this.empty(this.title(x), this.title(y)),
-      curves: [...groupBy(this.chosen, (run) => this.plannerOf(run))].map(([planner, ofPlanner]) => ({
-        name: `${this.planners[planner].name}: ${this.count(ofPlanner)}`, planner, x: [], y: [], low: [], high: [],
-      })),
-      dots,
-      caption: `${dots.length} solved runs, a dot each.`,
-    };
-  }
-
-  /** Two planners on the same cases. */
-  private versus(): ChartModel {
-    const { first, second, y } = this.settings;
-    const costs = this.chosen.map((run) => this.cost(run)).filter((value) => value !== null);
-    const most = Math.max(...costs, 0) || 1;
-    const least = Math.min(...costs, most);
-    const kBeyond = 1.35; // where those stand that were not solved
-    const dots: Dot[] = [];
-    let missing = 0;
-    for (const [name, runs] of groupBy(this.chosen, (run) => this.runs.text("case", run))) {
-      const a = runs.find((run) => this.plannerOf(run) === first);
-      const b = runs.find((run) => this.plannerOf(run) === second);
-      if (a === undefined || b === undefined) continue;
-      const x = this.cost(a);
-      const value = this.cost(b);
-      if (x === null && value === null) continue;
-      if (x === null || value === null) ++missing;
-      const winner = x === null || (value !== null && value < x) ? second : first;
-      dots.push({ run: b, x: x ?? most * kBeyond, y: value ?? most * kBeyond, planner: winner, text: name });
+    private title(column: string): string {
+        if (column === kSuccess) return "Runs solved (%)";
+        if (column === "sweep_value") {
+            const names = new Set(this.chosen.map((run) => this.runs.text("sweep_variable", run)));
+            return [...names].join(", ").replaceAll("_", " ") || "sweep value";
+        }
+        const known = this.runs.column(column);
+        return known.unit === "s" ? known.title : columnTitle(known);
     }
-    const title = (planner: number): string => `${this.planners[planner]?.name ?? ""}: ${this.title(y)}`;
-    return {
-      ...this.empty(title(first), title(second)),
-      dots,
-      guides: [
-        [least, least, most, most],
-        ...(missing > 0
-          ? ([[least, most * kBeyond, most * kBeyond, most * kBeyond], [most * kBeyond, least, most * kBeyond, most * kBeyond]] as [number, number, number, number][])
-          : []),
-      ],
-      caption:
-        `${dots.length} cases, a dot each in the colour of the planner that did better (the first where they are equal); below the diagonal it is the second.` +
-        (missing > 0 ? ` ${missing} dots on the outer lines: one of the two did not solve the case.` : ""),
-    };
-  }
 
-  private empty(xTitle: string, yTitle: string): ChartModel {
-    const { kind, x, y } = this.settings;
-    const isTime = (column: string): boolean => this.runs.has(column) && this.runs.column(column).unit === "s";
-    const xIsTime = kind === "versus" ? isTime(y) : kind !== "cactus" && isTime(x);
-    return { xTitle, yTitle, xIsTime, yIsTime: isTime(y), xNames: null, curves: [], marks: [], dots: [], guides: [], caption: "" };
-  }
+    /** A cost of a solved run; nothing of the others. */
+    private cost(run: number): number | null {
+        return this.isSolved(run) ? this.runs.number(this.settings.y, run) : null;
+    }
+
+    private text(run: number): string {
+        return `${this.runs.text("planner", run)} on ${this.runs.text("case", run)}`;
+    }
+
+    private count(runs: number[]): string {
+        return `${runs.filter((run) => this.isSolved(run)).length} of ${runs.length} runs solved`;
+    }
+
+    /** The values of the runs at one place: costs of the solved ones, or the share of them. */
+    private summary(runs: number[]): { low: number; median: number; high: number } | null {
+        if (this.settings.y === kSuccess) {
+            const percent = (100 * runs.filter((run) => this.isSolved(run)).length) / runs.length;
+            return { low: percent, median: percent, high: percent };
+        }
+        return quartiles(runs.map((run) => this.cost(run)).filter((value) => value !== null));
+    }
+
+    private dots(xOf: (run: number) => number | null): Dot[] {
+        if (this.settings.y === kSuccess) return [];
+        return this.chosen.flatMap((run) => {
+            const x = xOf(run);
+            const y = this.cost(run);
+            return x === null || y === null
+                ? []
+                : [{ run, x, y, planner: this.plannerOf(run), text: this.text(run) }];
+        });
+    }
+
+    private sweep(): ChartModel {
+        const { x, y } = this.settings;
+        const curves = [...groupBy(this.chosen, (run) => this.plannerOf(run))].map(
+            ([planner, ofPlanner]): Curve => {
+                const places = [
+                    ...groupBy(
+                        ofPlanner.filter((run) => this.runs.number(x, run) !== null),
+                        (run) => this.runs.number(x, run)!,
+                    ),
+                ];
+                places.sort(([a], [b]) => a - b);
+                const summaries = places.map(([, there]) => this.summary(there));
+                return {
+                    name: `${this.planners[planner].name}: ${this.count(ofPlanner)}`,
+                    planner,
+                    x: places.map(([place]) => place),
+                    y: summaries.map((summary) => summary?.median ?? null),
+                    low: summaries.map((summary) => summary?.low ?? null),
+                    high: summaries.map((summary) => summary?.high ?? null),
+                };
+            },
+        );
+        return {
+            ...this.empty(this.title(x), this.title(y)),
+            curves,
+            dots: this.dots((run) => this.runs.number(x, run)),
+            caption: "Lines: medians over the solved runs; bands: their quartiles; dots: runs.",
+        };
+    }
+
+    /** Planners beside each other at each problem (and sweep point). */
+    private comparison(): ChartModel {
+        const placeOf = (run: number): string => {
+            const value = this.runs.number("sweep_value", run);
+            return this.runs.text("problem", run) + (value === null ? "" : `, ${value}`);
+        };
+        const names = [...groupBy(this.chosen, placeOf).keys()];
+        const places = new Map(names.map((name, i) => [name, i]));
+        const shown = this.settings.planners;
+        const beside = (planner: number): number =>
+            ((shown.indexOf(planner) + 1) / (shown.length + 1) - 0.5) * 0.8;
+        const xOf = (run: number): number => places.get(placeOf(run))! + beside(this.plannerOf(run));
+        const marks = [...groupBy(this.chosen, xOf)].flatMap(([x, there]): Mark[] => {
+            const summary = this.summary(there);
+            return summary
+                ? [
+                      {
+                          planner: this.plannerOf(there[0]),
+                          x,
+                          low: summary.low,
+                          median: summary.median,
+                          high: summary.high,
+                      },
+                  ]
+                : [];
+        });
+        return {
+            ...this.empty("", this.title(this.settings.y)),
+            xNames: names,
+            curves: [...groupBy(this.chosen, (run) => this.plannerOf(run))].map(([planner, ofPlanner]) => ({
+                name: `${this.planners[planner].name}: ${this.count(ofPlanner)}`,
+                planner,
+                x: [],
+                y: [],
+                low: [],
+                high: [],
+            })),
+            marks,
+            dots: this.dots(xOf),
+            caption:
+                "Marks: medians over the solved runs; bars: their quartiles; dots: runs. No mark: none was solved.",
+        };
+    }
+
+    /** How many runs a planner solves when each may cost so much. */
+    private cactus(): ChartModel {
+        const dots: Dot[] = [];
+        const most = [...groupBy(this.chosen, (run) => this.plannerOf(run)).values()].reduce(
+            (n, of) => Math.max(n, of.length),
+            0,
+        );
+        const curves = [...groupBy(this.chosen, (run) => this.plannerOf(run))].map(
+            ([planner, ofPlanner]): Curve => {
+                const solved = ofPlanner
+                    .filter((run) => this.cost(run) !== null)
+                    .sort((a, b) => this.cost(a)! - this.cost(b)!);
+                const costs = solved.map((run) => this.cost(run)!);
+                solved.forEach((run, i) =>
+                    dots.push({ run, x: i + 1, y: costs[i], planner, text: this.text(run) }),
+                );
+                return {
+                    name: `${this.planners[planner].name}: ${this.count(ofPlanner)}`,
+                    planner,
+                    x: costs.map((_, i) => i + 1),
+                    y: costs,
+                    low: [],
+                    high: [],
+                };
+            },
+        );
+        return {
+            ...this.empty(`Runs solved (of ${most})`, `${this.title(this.settings.y)}, at most`),
+            curves,
+            dots,
+            caption:
+                "Each planner's solved runs, cheapest first: further to the right means more solved, lower means cheaper.",
+        };
+    }
+
+    private scatter(): ChartModel {
+        const { x, y } = this.settings;
+        const dots = this.dots((run) => this.runs.number(x, run));
+        return {
+            ...this.empty(this.title(x), this.title(y)),
+            curves: [...groupBy(this.chosen, (run) => this.plannerOf(run))].map(([planner, ofPlanner]) => ({
+                name: `${this.planners[planner].name}: ${this.count(ofPlanner)}`,
+                planner,
+                x: [],
+                y: [],
+                low: [],
+                high: [],
+            })),
+            dots,
+            caption: `${dots.length} solved runs, a dot each.`,
+        };
+    }
+
+    /** Two planners on the same cases. */
+    private versus(): ChartModel {
+        const { first, second, y } = this.settings;
+        const costs = this.chosen.map((run) => this.cost(run)).filter((value) => value !== null);
+        const most = Math.max(...costs, 0) || 1;
+        const least = Math.min(...costs, most);
+        const kBeyond = 1.35; // where those stand that were not solved
+        const dots: Dot[] = [];
+        let missing = 0;
+        for (const [name, runs] of groupBy(this.chosen, (run) => this.runs.text("case", run))) {
+            const a = runs.find((run) => this.plannerOf(run) === first);
+            const b = runs.find((run) => this.plannerOf(run) === second);
+            if (a === undefined || b === undefined) continue;
+            const x = this.cost(a);
+            const value = this.cost(b);
+            if (x === null && value === null) continue;
+            if (x === null || value === null) ++missing;
+            const winner = x === null || (value !== null && value < x) ? second : first;
+            dots.push({
+                run: b,
+                x: x ?? most * kBeyond,
+                y: value ?? most * kBeyond,
+                planner: winner,
+                text: name,
+            });
+        }
+        const title = (planner: number): string => `${this.planners[planner]?.name ?? ""}: ${this.title(y)}`;
+        return {
+            ...this.empty(title(first), title(second)),
+            dots,
+            guides: [
+                [least, least, most, most],
+                ...(missing > 0
+                    ? ([
+                          [least, most * kBeyond, most * kBeyond, most * kBeyond],
+                          [most * kBeyond, least, most * kBeyond, most * kBeyond],
+                      ] as [number, number, number, number][])
+                    : []),
+            ],
+            caption:
+                `${dots.length} cases, a dot each in the colour of the planner that did better (the first where they ` +
+                "are equal); below the diagonal it is the second." +
+                (missing > 0
+                    ? ` ${missing} dots on the outer lines: one of the two did not solve the case.`
+                    : ""),
+        };
+    }
+
+    private empty(xTitle: string, yTitle: string): ChartModel {
+        const { kind, x, y } = this.settings;
+        const isTime = (column: string): boolean =>
+            this.runs.has(column) && this.runs.column(column).unit === "s";
+        const xIsTime = kind === "versus" ? isTime(y) : kind !== "cactus" && isTime(x);
+        return {
+            xTitle,
+            yTitle,
+            xIsTime,
+            yIsTime: isTime(y),
+            xNames: null,
+            curves: [],
+            marks: [],
+            dots: [],
+            guides: [],
+            caption: "",
+        };
+    }
 }

@@ -3,73 +3,78 @@
 export type View = "overview" | "charts" | "runs" | "player";
 
 export class State {
-  private parameters: URLSearchParams;
-  private readonly listeners: ((changed: Set<string>) => void)[] = [];
+    private parameters: URLSearchParams;
+    private readonly listeners: ((changed: Set<string>) => void)[] = [];
 
-  constructor(private readonly place: Location | { hash: string } = location) {
-    this.parameters = State.parse(place.hash);
-  }
-
-  private static parse(hash: string): URLSearchParams {
-    return new URLSearchParams(hash.replace(/^#/, ""));
-  }
-
-  get(key: string, otherwise: string): string {
-    return this.parameters.get(key) ?? otherwise;
-  }
-
-  number(key: string, otherwise: number): number {
-    const value = Number(this.parameters.get(key) ?? NaN);
-    return Number.isFinite(value) ? value : otherwise;
-  }
-
-  flag(key: string, otherwise: boolean): boolean {
-    const value = this.parameters.get(key);
-    return value === null ? otherwise : value === "1";
-  }
-
-  list(key: string): string[] | null {
-    const value = this.parameters.get(key);
-    return value === null ? null : value === "" ? [] : value.split("~");
-  }
-
-  /** Takes new values; null takes one away. Tells the listeners which have changed. */
-  set(values: Record<string, string | number | boolean | string[] | null>, isStep = false): void {
-    const changed = new Set<string>();
-    for (const [key, value] of Object.entries(values)) {
-      const text =
-        value === null ? null
-        : Array.isArray(value) ? value.join("~")
-        : typeof value === "boolean" ? (value ? "1" : "0")
-        : String(value);
-      if (text === this.parameters.get(key)) continue;
-      changed.add(key);
-      if (text === null) this.parameters.delete(key);
-      else this.parameters.set(key, text);
+    constructor(private readonly place: Location | { hash: string } = location) {
+        this.parameters = State.parse(place.hash);
     }
-    if (changed.size === 0) return;
-    this.write(isStep);
-    for (const listener of this.listeners) listener(changed);
-  }
 
-  private write(isStep: boolean): void {
-    const hash = `#${this.parameters.toString()}`;
-    if (typeof history === "undefined") this.place.hash = hash;
-    else if (isStep) history.pushState(null, "", hash);
-    else history.replaceState(null, "", hash);
-  }
+    private static parse(hash: string): URLSearchParams {
+        return new URLSearchParams(hash.replace(/^#/, ""));
+    }
 
-  /** The address has changed from outside: a link, or the way back. */
-  reread(): void {
-    const old = this.parameters;
-    this.parameters = State.parse(this.place.hash);
-    const changed = new Set<string>();
-    for (const key of new Set([...old.keys(), ...this.parameters.keys()]))
-      if (old.get(key) !== this.parameters.get(key)) changed.add(key);
-    if (changed.size > 0) for (const listener of this.listeners) listener(changed);
-  }
+    get(key: string, otherwise: string): string {
+        return this.parameters.get(key) ?? otherwise;
+    }
 
-  onChange(listener: (changed: Set<string>) => void): void {
-    this.listeners.push(listener);
-  }
+    number(key: string, otherwise: number): number {
+        const value = Number(this.parameters.get(key) ?? NaN);
+        return Number.isFinite(value) ? value : otherwise;
+    }
+
+    flag(key: string, otherwise: boolean): boolean {
+        const value = this.parameters.get(key);
+        return value === null ? otherwise : value === "1";
+    }
+
+    list(key: string): string[] | null {
+        const value = this.parameters.get(key);
+        return value === null ? null : value === "" ? [] : value.split("~");
+    }
+
+    /** Takes new values; null takes one away. Tells the listeners which have changed. */
+    set(values: Record<string, string | number | boolean | string[] | null>, isStep = false): void {
+        const changed = new Set<string>();
+        for (const [key, value] of Object.entries(values)) {
+            const text =
+                value === null
+                    ? null
+                    : Array.isArray(value)
+                      ? value.join("~")
+                      : typeof value === "boolean"
+                        ? value
+                            ? "1"
+                            : "0"
+                        : String(value);
+            if (text === this.parameters.get(key)) continue;
+            changed.add(key);
+            if (text === null) this.parameters.delete(key);
+            else this.parameters.set(key, text);
+        }
+        if (changed.size === 0) return;
+        this.write(isStep);
+        for (const listener of this.listeners) listener(changed);
+    }
+
+    private write(isStep: boolean): void {
+        const hash = `#${this.parameters.toString()}`;
+        if (typeof history === "undefined") this.place.hash = hash;
+        else if (isStep) history.pushState(null, "", hash);
+        else history.replaceState(null, "", hash);
+    }
+
+    /** The address has changed from outside: a link, or the way back. */
+    reread(): void {
+        const old = this.parameters;
+        this.parameters = State.parse(this.place.hash);
+        const changed = new Set<string>();
+        for (const key of new Set([...old.keys(), ...this.parameters.keys()]))
+            if (old.get(key) !== this.parameters.get(key)) changed.add(key);
+        if (changed.size > 0) for (const listener of this.listeners) listener(changed);
+    }
+
+    onChange(listener: (changed: Set<string>) => void): void {
+        this.listeners.push(listener);
+    }
 }
