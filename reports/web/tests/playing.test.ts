@@ -239,7 +239,7 @@ describe("player", () => {
             "Escape",
         ])
             await page.keyboard.press(key);
-        assert.match(page.url(), /speed=/);
+        await page.waitForURL(/speed=/);
         await page.keyboard.press(" ");
         await page.waitForFunction(() =>
             document.querySelector(".play")?.getAttribute("aria-label")?.startsWith("Pause"),
@@ -254,10 +254,11 @@ describe("player", () => {
         await browser.open(report, "view=player&goals=0");
         await browser.readout();
         const box = (await browser.page.locator(".panel canvas").boundingBox())!;
-        for (let y = 10; y < box.height && !browser.page.url().includes("follow="); y += 16)
-            for (let x = 10; x < box.width && !browser.page.url().includes("follow="); x += 16)
+        const followed = (): Promise<string> => browser.page.getByLabel("Robot to follow").inputValue();
+        for (let y = 10; y < box.height && (await followed()) === ""; y += 16)
+            for (let x = 10; x < box.width && (await followed()) === ""; x += 16)
                 await browser.page.mouse.click(box.x + x, box.y + y);
-        assert.match(browser.page.url(), /follow=\d/);
+        assert.match(await followed(), /^\d+$/);
         const old = await browser.pixels(".panel canvas");
         await browser.page.locator(".panel canvas").evaluate((canvas) => {
             const send = (type: string, id: number, x: number): void => {

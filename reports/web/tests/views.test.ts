@@ -78,7 +78,7 @@ describe("charts", () => {
         last = await browser.pixels(".plot canvas");
         await browser.page.locator(".chart-legend input").first().uncheck();
         assert.notEqual(await browser.pixels(".plot canvas"), last);
-        assert.match(browser.page.url(), /hide=0/);
+        await browser.page.waitForURL(/hide=0/);
     });
 
     test("the address brings back the same chart", async () => {
@@ -149,7 +149,7 @@ describe("runs", () => {
         await browser.page.locator(".columns summary").click();
         await browser.page.locator(".menu").getByLabel("Edges", { exact: true }).check();
         assert.equal(await browser.page.locator("[role=columnheader][data-column=edges]").count(), 1);
-        assert.match(browser.page.url(), /columns=/);
+        await browser.page.waitForURL(/columns=/);
     });
 
     test("arrow keys go through the runs; a run tells everything and can be repeated", async () => {

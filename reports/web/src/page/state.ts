@@ -4,6 +4,8 @@ export type View = "overview" | "charts" | "runs" | "player";
 
 export class State {
     private parameters: URLSearchParams;
+    private written = 0; // when, in milliseconds
+    private pending: ReturnType<typeof setTimeout> | undefined;
     private readonly listeners: ((changed: Set<string>) => void)[] = [];
 
     constructor(private readonly place: Location | { hash: string } = location) {
@@ -57,7 +59,17 @@ export class State {
         for (const listener of this.listeners) listener(changed);
     }
 
+    /** Browsers bear few changes of the address a second: the last of a quick series is written later. */
     private write(isStep: boolean): void {
+        const kPause = 100; // milliseconds
+        const wait = isStep ? 0 : this.written + kPause - Date.now();
+        if (wait > 0) {
+            this.pending ??= setTimeout(() => this.write(false), wait);
+            return;
+        }
+        clearTimeout(this.pending);
+        this.pending = undefined;
+        this.written = Date.now();
         const hash = `#${this.parameters.toString()}`;
         if (typeof history === "undefined") this.place.hash = hash;
         else if (isStep) history.pushState(null, "", hash);
@@ -66,6 +78,8 @@ export class State {
 
     /** The address has changed from outside: a link, or the way back. */
     reread(): void {
+        clearTimeout(this.pending);
+        this.pending = undefined;
         const old = this.parameters;
         this.parameters = State.parse(this.place.hash);
         const changed = new Set<string>();

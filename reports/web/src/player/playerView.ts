@@ -359,6 +359,7 @@ export class PlayerView {
 
     private say(): void {
         this.lastWords = performance.now();
+        this.readout.setAttribute("aria-live", this.clock.isRunning ? "off" : "polite");
         const followed = this.state.number("follow", -1);
         this.controls.setTime(this.clock.time);
         const tracks = this.slots.map(({ panel }) => panel.track!);
