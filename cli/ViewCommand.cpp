@@ -23,36 +23,25 @@ void warn(const std::vector<std::string> &warnings)
         std::cerr << "warning: " << warning << '\n';
 }
 
-/// The rows as steps, whatever rules they break. Throws ParseError for robots and vertices that do not exist.
-Schedule asSteps(const SolutionRows &rows, const Instance &instance)
+/// Throws ParseError for robots and vertices that do not exist: those cannot be drawn.
+void checkNumbers(const SolutionRows &rows, const Instance &instance)
 {
-    Schedule schedule;
-    std::vector<Move> step;
+    const auto vertices = static_cast<std::int64_t>(instance.graph->vertexCount());
+    const auto robots = static_cast<std::int64_t>(instance.robotCount());
     for (std::size_t row = 0; row < rows.moves.size(); ++row)
     {
-        const TimedMove &move = rows.moves[row];
-        const auto vertices = static_cast<std::int64_t>(instance.graph->vertexCount());
-        const auto robots = static_cast<std::int64_t>(instance.robotCount());
-        const auto refuse = [&](const char *what, std::int64_t number, std::int64_t count)
+        const auto check = [&](const char *what, std::int64_t number, std::int64_t count)
         {
-            throw ParseError({rows.file, rows.lineOf(row)}, std::string(what) + " " + std::to_string(number) +
-                                                                " does not exist; there are " +
-                                                                std::to_string(count));
+            if (number < 0 || number >= count)
+                throw ParseError({rows.file, rows.lineOf(row)},
+                                 std::string(what) + " " + std::to_string(number) +
+                                     " does not exist; there are " + std::to_string(count));
         };
-        if (move.robot < 0 || move.robot >= robots)
-            refuse("robot", move.robot, robots);
-        for (const std::int64_t vertex : {move.from, move.to})
-            if (vertex < 0 || vertex >= vertices)
-                refuse("vertex", vertex, vertices);
-        step.push_back(
-            {static_cast<Robot>(move.robot), static_cast<Vertex>(move.from), static_cast<Vertex>(move.to)});
-        if (row + 1 == rows.moves.size() || rows.moves[row + 1].step != move.step)
-        {
-            schedule.appendStep(step);
-            step.clear();
-        }
+        const TimedMove &move = rows.moves[row];
+        check("robot", move.robot, robots);
+        check("vertex", move.from, vertices);
+        check("vertex", move.to, vertices);
     }
-    return schedule;
 }
 
 /// What the moves say themselves where there is no instance: robots start where they first move from, and
@@ -171,7 +160,8 @@ ExitCode view(const ViewArguments &arguments)
     for (const SolutionRows &rows : loaded.solutions)
     {
         const Verdict verdict = validate(instance, rows.moves, *motionRule(arguments.motion));
-        const Schedule schedule = asSteps(rows, instance);
+        checkNumbers(rows, instance);
+        const Schedule schedule = stepsOf(rows);
         RunRecord record = describe(instance, verdict, schedule);
         record.caseId = record.problem = loaded.name;
         record.planner = std::filesystem::path(rows.file).filename().string();

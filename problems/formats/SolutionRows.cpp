@@ -47,12 +47,8 @@ SolutionRows rowsOfPaths(const std::string &file, const Instance &instance,
     return rows;
 }
 
-Schedule scheduleOf(const SolutionRows &rows, const Instance &instance)
+Schedule stepsOf(const SolutionRows &rows)
 {
-    const Verdict verdict = validate(instance, rows.moves, MotionRule::rotation);
-    if (!verdict.legal)
-        throw ParseError({rows.file, rows.moves.empty() ? 0 : rows.lineOf(verdict.badMove)},
-                         verdict.violation);
     Schedule schedule;
     std::vector<Move> step;
     for (std::size_t row = 0; row < rows.moves.size(); ++row)
@@ -67,6 +63,15 @@ Schedule scheduleOf(const SolutionRows &rows, const Instance &instance)
         }
     }
     return schedule;
+}
+
+Schedule scheduleOf(const SolutionRows &rows, const Instance &instance)
+{
+    const Verdict verdict = validate(instance, rows.moves, MotionRule::rotation);
+    if (!verdict.legal)
+        throw ParseError({rows.file, rows.moves.empty() ? 0 : rows.lineOf(verdict.badMove)},
+                         verdict.violation);
+    return stepsOf(rows);
 }
 
 } // namespace mrpp

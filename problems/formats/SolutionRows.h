@@ -38,6 +38,10 @@ struct PathPoint
 [[nodiscard]] SolutionRows rowsOfPaths(const std::string &file, const Instance &instance,
                                        const std::vector<std::vector<PathPoint>> &paths);
 
+/// The rows as steps, whatever rules they break; a gap between steps is none. \pre robots and vertices fit
+/// into 32 bits. O(rows)
+[[nodiscard]] Schedule stepsOf(const SolutionRows &rows);
+
 /// The rows as a schedule. Throws ParseError at the first move that no motion rule allows. O(V + rows).
 [[nodiscard]] Schedule scheduleOf(const SolutionRows &rows, const Instance &instance);
 

@@ -19,13 +19,18 @@ export interface ChartSettings {
     second: number;
 }
 
-export interface Curve {
-    name: string;
-    planner: number;
+export interface Points {
     x: number[];
     y: (number | null)[];
-    low: (number | null)[];
+    low: (number | null)[]; // of a band; may be empty
     high: (number | null)[];
+}
+
+const kNoPoints: Points = { x: [], y: [], low: [], high: [] };
+
+export interface Curve extends Points {
+    name: string;
+    planner: number;
 }
 
 export interface Mark {
@@ -156,32 +161,33 @@ class Builder {
         });
     }
 
+    /** A curve for each planner that is shown; its name says how many runs it stands for. */
+    private curves(points: (ofPlanner: number[], planner: number) => Points): Curve[] {
+        return [...groupBy(this.chosen, (run) => this.plannerOf(run))].map(([planner, ofPlanner]) => ({
+            name: `${this.planners[planner].name}: ${this.count(ofPlanner)}`,
+            planner,
+            ...points(ofPlanner, planner),
+        }));
+    }
+
     private sweep(): ChartModel {
         const { x, y } = this.settings;
-        const curves = [...groupBy(this.chosen, (run) => this.plannerOf(run))].map(
-            ([planner, ofPlanner]): Curve => {
-                const places = [
-                    ...groupBy(
-                        ofPlanner.filter((run) => this.runs.number(x, run) !== null),
-                        (run) => this.runs.number(x, run)!,
-                    ),
-                ];
-                places.sort(([a], [b]) => a - b);
-                const summaries = places.map(([, there]) => this.summary(there));
-                return {
-                    name: `${this.planners[planner].name}: ${this.count(ofPlanner)}`,
-                    planner,
-                    x: places.map(([place]) => place),
-                    y: summaries.map((summary) => summary?.median ?? null),
-                    low: summaries.map((summary) => summary?.low ?? null),
-                    high: summaries.map((summary) => summary?.high ?? null),
-                };
-            },
-        );
+        const placeOf = (run: number): number | null => this.runs.number(x, run);
+        const curves = this.curves((ofPlanner) => {
+            const placed = ofPlanner.filter((run) => placeOf(run) !== null);
+            const places = [...groupBy(placed, (run) => placeOf(run)!)].sort(([a], [b]) => a - b);
+            const summaries = places.map(([, there]) => this.summary(there));
+            return {
+                x: places.map(([place]) => place),
+                y: summaries.map((summary) => summary?.median ?? null),
+                low: summaries.map((summary) => summary?.low ?? null),
+                high: summaries.map((summary) => summary?.high ?? null),
+            };
+        });
         return {
             ...this.empty(this.title(x), this.title(y)),
             curves,
-            dots: this.dots((run) => this.runs.number(x, run)),
+            dots: this.dots(placeOf),
             caption: "Lines: medians over the solved runs; bands: their quartiles; dots: runs.",
         };
     }
@@ -215,14 +221,7 @@ class Builder {
         return {
             ...this.empty("", this.title(this.settings.y)),
             xNames: names,
-            curves: [...groupBy(this.chosen, (run) => this.plannerOf(run))].map(([planner, ofPlanner]) => ({
-                name: `${this.planners[planner].name}: ${this.count(ofPlanner)}`,
-                planner,
-                x: [],
-                y: [],
-                low: [],
-                high: [],
-            })),
+            curves: this.curves(() => kNoPoints),
             marks,
             dots: this.dots(xOf),
             caption:
@@ -233,35 +232,28 @@ class Builder {
     /** How many runs a planner solves when each may cost so much. */
     private cactus(): ChartModel {
         const dots: Dot[] = [];
-        const most = [...groupBy(this.chosen, (run) => this.plannerOf(run)).values()].reduce(
-            (n, of) => Math.max(n, of.length),
-            0,
-        );
-        const curves = [...groupBy(this.chosen, (run) => this.plannerOf(run))].map(
-            ([planner, ofPlanner]): Curve => {
-                const solved = ofPlanner
-                    .filter((run) => this.cost(run) !== null)
-                    .sort((a, b) => this.cost(a)! - this.cost(b)!);
-                const costs = solved.map((run) => this.cost(run)!);
-                solved.forEach((run, i) =>
-                    dots.push({ run, x: i + 1, y: costs[i], planner, text: this.text(run) }),
-                );
-                return {
-                    name: `${this.planners[planner].name}: ${this.count(ofPlanner)}`,
-                    planner,
-                    x: costs.map((_, i) => i + 1),
-                    y: costs,
-                    low: [],
-                    high: [],
-                };
-            },
-        );
+        let most = 0;
+        const curves = this.curves((ofPlanner, planner) => {
+            most = Math.max(most, ofPlanner.length);
+            const solved = ofPlanner
+                .filter((run) => this.cost(run) !== null)
+                .sort((a, b) => this.cost(a)! - this.cost(b)!);
+            const points = solved.map((run, i) => ({
+                run,
+                x: i + 1,
+                y: this.cost(run)!,
+                planner,
+                text: this.text(run),
+            }));
+            for (const point of points) dots.push(point);
+            return { ...kNoPoints, x: points.map(({ x }) => x), y: points.map(({ y }) => y) };
+        });
         return {
             ...this.empty(`Runs solved (of ${most})`, `${this.title(this.settings.y)}, at most`),
             curves,
             dots,
             caption:
-                "Each planner's solved runs, cheapest first: further to the right means more solved, lower means cheaper.",
+                "Each planner's solved runs, cheapest first: further right means more solved, lower means cheaper.",
         };
     }
 
@@ -270,14 +262,7 @@ class Builder {
         const dots = this.dots((run) => this.runs.number(x, run));
         return {
             ...this.empty(this.title(x), this.title(y)),
-            curves: [...groupBy(this.chosen, (run) => this.plannerOf(run))].map(([planner, ofPlanner]) => ({
-                name: `${this.planners[planner].name}: ${this.count(ofPlanner)}`,
-                planner,
-                x: [],
-                y: [],
-                low: [],
-                high: [],
-            })),
+            curves: this.curves(() => kNoPoints),
             dots,
             caption: `${dots.length} solved runs, a dot each.`,
         };
@@ -287,8 +272,8 @@ class Builder {
     private versus(): ChartModel {
         const { first, second, y } = this.settings;
         const costs = this.chosen.map((run) => this.cost(run)).filter((value) => value !== null);
-        const most = Math.max(...costs, 0) || 1;
-        const least = Math.min(...costs, most);
+        const most = costs.reduce((a, b) => Math.max(a, b), 0) || 1;
+        const least = costs.reduce((a, b) => Math.min(a, b), most);
         const kBeyond = 1.35; // where those stand that were not solved
         const dots: Dot[] = [];
         let missing = 0;
