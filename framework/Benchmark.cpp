@@ -3,7 +3,10 @@
 #include "framework/campaign/InProcessExecutor.h"
 #include "framework/campaign/Provenance.h"
 #include "framework/campaign/ResultStore.h"
+#include "framework/campaign/ResultWriter.h"
+#include "framework/campaign/RunQueue.h"
 #include "framework/campaign/WorkerExecutor.h"
+#include "framework/support/Cores.h"
 #include "framework/support/Error.h"
 #include "framework/support/File.h"
 #include "framework/support/Random.h"
@@ -52,30 +55,11 @@ bool isInShard(const BenchmarkPlan &plan, const RunSpec &spec, const Benchmark::
     return hash % static_cast<Seed>(request.shards) == static_cast<Seed>(request.shard - 1);
 }
 
-/// Cases in random order, and the planners of each case, so that a slow spell of the machine does not hit one
-/// planner or one part of a sweep.
-void shuffle(std::vector<RunSpec> &runs, Seed seed)
-{
-    Random random(deriveSeed(seed, "order"));
-    random.shuffle(std::span(runs));
-    std::map<std::string, std::size_t> place; // of a case, where its first run stands
-    for (const RunSpec &run : runs)
-        place.emplace(run.caseId, place.size());
-    std::stable_sort(runs.begin(), runs.end(),
-                     [&place](const RunSpec &a, const RunSpec &b)
-                     { return place.at(a.caseId) < place.at(b.caseId); });
-}
-
 /// Everything that can be wrong with the plan's input, found before the first run.
-void checkInputs(const BenchmarkPlan &plan, const Catalog &catalog, const std::vector<RunSpec> &runs)
+void checkInputs(const BenchmarkPlan &plan, const std::vector<RunSpec> &runs)
 {
-    for (const Configured &planner : plan.planners)
-        (void)create(catalog.planners, planner);
-    for (const Configured &optimizer : plan.optimizers)
-        (void)create(catalog.optimizers, optimizer);
-
     std::set<std::size_t> checked;
-    std::string graphKey;
+    std::string lastKey;
     std::shared_ptr<const Graph> graph; // of the last point: points of a sweep over robots share it
     for (const RunSpec &run : runs)
     {
@@ -83,11 +67,10 @@ void checkInputs(const BenchmarkPlan &plan, const Catalog &catalog, const std::v
             continue;
         const Problem &problem = *plan.points[run.point].problem;
         problem.check();
-        std::string key =
-            plan.points[run.point].model + '\n' + problem.identity() + '\n' + std::to_string(run.graphSeed);
-        if (key != graphKey)
+        std::string key = graphKey(plan, run);
+        if (key != lastKey)
             graph = problem.makeGraph(run.graphSeed);
-        graphKey = std::move(key);
+        lastKey = std::move(key);
         try
         {
             (void)makeInstance(problem, graph, run.instanceSeed);
@@ -120,43 +103,52 @@ Provenance provenanceOf(const BenchmarkPlan &plan, const std::filesystem::path &
     return provenance;
 }
 
-/// The threads of one campaign: they take runs off one list, and give their results to one store.
+/// The threads of one campaign: they take runs off one queue, and give their results to one writer.
 class Crew
 {
 public:
-    using PostRunEvent = Benchmark::PostRunEvent;
-
-    Crew(const std::vector<RunSpec> &runs, ResultStore &store, const Benchmark::Request &request,
-         const PostRunEvent &postRun, std::mutex &events, Benchmark::Summary &summary)
-        : runs_(runs), store_(store), request_(request), postRun_(postRun), events_(events), summary_(summary)
+    Crew(RunQueue &queue, ResultStore &store, const Benchmark::Request &request,
+         const Benchmark::PostRunEvent &postRun, std::mutex &events, Benchmark::Summary &summary)
+        : queue_(queue), store_(store), request_(request), postRun_(postRun), events_(events),
+          summary_(summary),
+          writer_(
+              store, [this](const RunRecord &record) { count(record); }, [this] { stop_.request_stop(); })
     {}
 
-    /// Works until nothing is left, `stop` is triggered, or something throws, which is thrown again here.
+    /// Works until nothing is left, `stop` is triggered, or something throws, which is thrown again here when
+    /// all that was finished is kept.
     void work(Executor &executor, std::int64_t jobs, const std::stop_token &stop)
     {
         const std::stop_callback passOn(stop, [this] { stop_.request_stop(); });
         {
             std::vector<std::jthread> threads;
             for (std::int64_t i = 0; i < jobs; ++i)
-                threads.emplace_back([this, &executor] { workAlone(executor); });
+                threads.emplace_back([this, &executor, i]
+                                     { workAlone(executor, static_cast<std::size_t>(i)); });
         }
+        writer_.finish();
         if (error_)
             std::rethrow_exception(error_);
     }
 
 private:
-    void workAlone(Executor &executor)
+    void workAlone(Executor &executor, std::size_t taker)
     {
         try
         {
-            while (const RunSpec *run = take())
+            while (!stop_.stop_requested())
             {
-                const std::int64_t attempt = begin(*run);
+                const RunSpec *run = queue_.take(taker);
+                if (run == nullptr)
+                    return;
+                const std::int64_t attempt = store_.begin(run->runKey);
+                const std::optional<double> load = machineLoad();
                 RunResult result = executor.execute(*run, stop_.get_token());
                 if (stop_.stop_requested())
                     return; // perhaps cut short
                 result.record.attempt = attempt;
-                keep(*run, result);
+                result.record.load = load;
+                finish(*run, std::move(result));
             }
         }
         catch (...)
@@ -168,79 +160,83 @@ private:
         }
     }
 
-    const RunSpec *take()
+    void finish(const RunSpec &run, RunResult result)
     {
-        const std::lock_guard lock(mutex_);
-        return next_ < runs_.size() && !stop_.stop_requested() ? &runs_[next_++] : nullptr;
+        {
+            const std::lock_guard lock(events_);
+            if (postRun_ && result.instance)
+                postRun_(result.record, *result.instance, result.solution);
+            if (request_.onFinished)
+                request_.onFinished(run, result);
+        }
+        writer_.put({std::move(result.record), std::move(result.solution), std::move(result.progress)});
     }
 
-    std::int64_t begin(const RunSpec &run)
+    /// The run is on the disk.
+    void count(const RunRecord &record)
     {
-        const std::lock_guard lock(mutex_);
-        return store_.begin(run.runKey);
-    }
-
-    void keep(const RunSpec &run, RunResult &result)
-    {
-        const std::scoped_lock lock(events_, mutex_);
-        if (postRun_ && result.instance)
-            postRun_(result.record, *result.instance, result.solution);
-        if (request_.onFinished)
-            request_.onFinished(run, result);
-        store_.add(result.record, result.solution, result.progress);
         ++summary_.finished;
-        ++summary_.statuses[result.record.status];
+        ++summary_.statuses[record.status];
+        if (record.load && *record.load > machineCores())
+            ++summary_.underLoad;
+        if (record.repeatable.starts_with("no"))
+            ++summary_.notRepeatable;
         if (!request_.progress)
             return;
+        const std::lock_guard lock(events_);
         const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start_;
-        const auto left = static_cast<double>(runs_.size() - summary_.finished);
-        request_.progress(result.record, summary_.kept + summary_.finished, summary_.planned,
+        const auto left = static_cast<double>(queue_.size() - summary_.finished);
+        request_.progress(record, summary_.kept + summary_.finished, summary_.planned,
                           spent.count() / static_cast<double>(summary_.finished) * left);
     }
 
-    const std::vector<RunSpec> &runs_;
+    RunQueue &queue_;
     ResultStore &store_;
     const Benchmark::Request &request_;
-    const PostRunEvent &postRun_;
+    const Benchmark::PostRunEvent &postRun_;
     std::mutex &events_; // one event at a time
     Benchmark::Summary &summary_;
-
-    std::mutex mutex_; // guards what follows, the store and the summary
-    std::size_t next_ = 0;
-    std::exception_ptr error_;
-    std::stop_source stop_;
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+    std::stop_source stop_;
+
+    std::mutex mutex_; // guards what follows
+    std::exception_ptr error_;
+    ResultWriter writer_; // last: its thread uses the others
 };
 
 } // namespace
 
 Benchmark::Benchmark(BenchmarkPlan plan, const Catalog &catalog) : plan_(std::move(plan)), catalog_(catalog)
-{}
+{
+    resolve(plan_, catalog_);
+}
 
 Benchmark::Summary Benchmark::benchmark(const Request &request, const std::stop_token &stop)
 {
     const std::int64_t jobs = request.jobs.value_or(plan_.execution.jobs);
     checkRequest(request, jobs);
     std::vector<RunSpec> runs = expand(plan_);
-    std::erase_if(runs, [&](const RunSpec &run) { return !isInShard(plan_, run, request); });
-    checkInputs(plan_, catalog_, runs);
+    if (request.shards > 1)
+        std::erase_if(runs, [&](const RunSpec &run) { return !isInShard(plan_, run, request); });
+    checkInputs(plan_, runs);
 
     ResultStore store(request.folder, ResultStore::Access::write);
     Summary summary;
     summary.planned = runs.size();
-    std::set<std::string> missing;
-    for (const RunSpec &run : runs)
-        missing.insert(run.runKey);
-    for (const RunRecord &record : store.records())
-        if (missing.erase(record.runKey) > 0)
-            ++summary.statuses[record.status];
-    std::erase_if(runs, [&missing](const RunSpec &run) { return !missing.contains(run.runKey); });
+    const auto isFinished = [&summary, finished = store.finishedRuns()](const RunSpec &run)
+    {
+        const auto found = finished.find(run.runKey);
+        if (found != finished.end())
+            ++summary.statuses[found->second];
+        return found != finished.end();
+    };
+    runs.erase(std::remove_if(runs.begin(), runs.end(), isFinished), runs.end());
     summary.kept = summary.planned - runs.size();
-    shuffle(runs, plan_.seed);
 
     const std::filesystem::path provenanceFile = request.folder / "provenance.json";
     Provenance provenance = provenanceOf(plan_, provenanceFile);
-    if (!runs.empty())
+    const bool anythingLeft = !runs.empty();
+    if (anythingLeft)
         provenance.finished.clear();
     writeFile(request.folder / "plan.yaml", plan_.text);
     writeFile(provenanceFile, provenance.toJson());
@@ -260,10 +256,11 @@ Benchmark::Summary Benchmark::benchmark(const Request &request, const std::stop_
     else
         executor = std::make_unique<WorkerExecutor>(request.worker, plan_, catalog_, jobs,
                                                     plan_.keep.instances || postRun_ != nullptr);
-    Crew(runs, store, request, postRun_, events, summary).work(*executor, jobs, stop);
+    RunQueue queue(std::move(runs), plan_.seed, static_cast<std::size_t>(jobs));
+    Crew(queue, store, request, postRun_, events, summary).work(*executor, jobs, stop);
 
     summary.interrupted = summary.kept + summary.finished < summary.planned;
-    if (!summary.interrupted && !runs.empty())
+    if (!summary.interrupted && anythingLeft)
     {
         provenance.finished = utcNow();
         writeFile(provenanceFile, provenance.toJson());

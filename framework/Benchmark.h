@@ -48,11 +48,13 @@ public:
 
     struct Summary
     {
-        std::size_t planned = 0;  ///< runs of the plan (of this shard)
-        std::size_t kept = 0;     ///< finished before
-        std::size_t finished = 0; ///< finished now
-        bool interrupted = false;
+        std::size_t planned = 0;       ///< runs of the plan (of this shard)
+        std::size_t kept = 0;          ///< finished before
+        std::size_t finished = 0;      ///< finished now
+        std::size_t underLoad = 0;     ///< of those finished now, with a load above the number of cores
+        std::size_t notRepeatable = 0; ///< of those finished now, with another answer when solved again
         std::map<PlannerStatus, std::size_t> statuses; ///< of all finished runs
+        bool interrupted = false;
     };
 
     /// Called in the order: pre-run event, setup, solve, checks, metrics, post-run event, store. One event at
@@ -69,13 +71,13 @@ public:
     [[nodiscard]] const BenchmarkPlan &plan() const { return plan_; }
 
     /// Checks every input file and makes the first instance of every point, then runs what the folder does
-    /// not hold yet, planners interleaved; each finished run is durable before its thread begins the next. A
-    /// stop request ends the current runs without keeping them. The results do not depend on the number of
-    /// jobs, on interruptions or on what the folder holds from an older version of the plan (times and memory
-    /// aside); runs that are no longer in the plan stay in the store.
-    /// Throws InputError before anything is written, and FileError where the folder cannot be used (or
-    /// another process is running a campaign in it). What an event throws ends the campaign and is thrown
-    /// again here.
+    /// not hold yet, planners interleaved. Finished runs go to the disk while others run, and count as
+    /// finished (progress, summary) when they are there. A stop request ends the current runs without keeping
+    /// them. The results do not depend on the number of jobs, on interruptions or on what the folder holds
+    /// from an older version of the plan (times and memory aside); runs that are no longer in the plan stay
+    /// in the store. Throws InputError before anything is written, and FileError where the folder cannot be
+    /// used (or another process is running a campaign in it). What an event throws ends the campaign and is
+    /// thrown again here.
     Summary benchmark(const Request &request, const std::stop_token &stop);
 
 private:

@@ -27,6 +27,9 @@ public:
     [[nodiscard]] virtual Solution improve(const Instance &instance, Solution solution,
                                            const TerminationCondition &ptc) const = 0;
 
+    /// Of the algorithm: raised when its answers change, so that campaigns run again what depends on it.
+    [[nodiscard]] virtual int version() const { return 1; }
+
 protected:
     template <ParameterType T>
     void declareParam(std::string name, T &slot, std::string range, std::string help)

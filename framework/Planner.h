@@ -45,6 +45,7 @@ struct PlannerSpecs
     std::string citation;                   ///< authors, title, venue, year
     MotionRule motion = MotionRule::pebble; ///< the narrowest rule under which its solutions are legal
     std::string completeFor;                ///< the class of instances that it always solves, in words
+    int version = 1;                        ///< of the algorithm: raised when its answers change
     bool provesInfeasibility = false;       ///< whether `infeasible` is a proof it can give
     bool complete = false;                  ///< it solves every solvable instance that it does not reject
 };

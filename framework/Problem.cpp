@@ -117,6 +117,15 @@ void Problem::configure(const Config &settings, const ProblemContext &context)
     identity_ = Config::map(std::move(own)).canonical();
 }
 
+std::string Problem::defaults() const
+{
+    std::string text = "version " + std::to_string(version());
+    for (const ParameterSet::Parameter &parameter : parameters_.all())
+        if (const std::string value = parameter.value(); value == parameter.defaultValue)
+            text.append(", ").append(parameter.name).append("=").append(value);
+    return text;
+}
+
 std::size_t Problem::robotCount(const Graph &graph) const
 {
     if (!robots_)

@@ -95,6 +95,16 @@ public:
     [[nodiscard]] virtual Instance makeInstance(std::shared_ptr<const Graph> graph, std::size_t robots,
                                                 Seed seed) const;
 
+    /// Of the family: raised when the same settings and seeds begin to give other instances.
+    [[nodiscard]] virtual int version() const { return 1; }
+
+    /// What configure() did not say: the version, and every parameter that has its default value. A part of a
+    /// run's key, so that a changed default runs again.
+    [[nodiscard]] virtual std::string defaults() const;
+
+    /// Whether the graph is drawn by chance; else it is the same for every seed, and made once.
+    [[nodiscard]] virtual bool drawsGraph() const { return true; }
+
     /// True where the swept variable changes the graph (its sweep is then preferred to one over robots).
     [[nodiscard]] virtual bool variesGraph() const { return false; }
 

@@ -34,6 +34,10 @@ public:
     void configure(const Config &settings, const ProblemContext &context) override;
     /// The graph's: "grid 8×8".
     [[nodiscard]] std::string name() const override { return generator_->name(); }
+    [[nodiscard]] std::string defaults() const override
+    {
+        return Problem::defaults() + "; " + generator_->defaults();
+    }
     [[nodiscard]] bool variesGraph() const override { return varies_ == Varies::graph; }
     [[nodiscard]] std::shared_ptr<const Graph> makeGraph(Seed seed) const override
     {

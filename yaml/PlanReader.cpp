@@ -1,5 +1,6 @@
 #include "yaml/PlanReader.h"
 
+#include "framework/campaign/Configuration.h"
 #include "framework/support/File.h"
 #include "framework/support/Suggestion.h"
 #include "yaml/ChartList.h"
@@ -109,11 +110,13 @@ double quantityOf(const Config::Entry &entry, std::span<const Unit> units, const
 Limits readLimits(const Config::Entry &entry)
 {
     Limits limits;
-    requireMap(entry.value, entry.where, "'limits' takes a map: {time: 60 s, memory: 4 GiB}");
-    checkKeys(entry.value, "limits", {"time", "memory"});
+    requireMap(entry.value, entry.where, "'limits' takes a map: {time: 60 s, cpu: 60 s, memory: 4 GiB}");
+    checkKeys(entry.value, "limits", {"time", "cpu", "memory"});
     for (const Config::Entry &limit : entry.value.entries())
         if (limit.key == "time")
             limits.time = quantityOf(limit, kTimeUnits, "500 ms, 60 s, 5 min, 1 h");
+        else if (limit.key == "cpu")
+            limits.cpu = quantityOf(limit, kTimeUnits, "500 ms, 60 s, 5 min, 1 h");
         else
             limits.memory = quantityOf(limit, kMemoryUnits, "500 MB, 4 GiB");
     return limits;
@@ -123,13 +126,21 @@ Execution readExecution(const Config::Entry &entry)
 {
     Execution execution;
     requireMap(entry.value, entry.where, "'execution' takes a map: {jobs: 2, isolation: none}");
-    checkKeys(entry.value, "execution", {"jobs", "isolation"});
+    checkKeys(entry.value, "execution", {"jobs", "isolation", "timing_repeats", "warm_up"});
     constexpr std::int64_t kMostJobs = 1024;
+    constexpr std::int64_t kMostRepeats = 1000;
     for (const Config::Entry &setting : entry.value.entries())
     {
         if (setting.key == "jobs")
         {
             execution.jobs = integerOf(setting, 1, kMostJobs);
+            continue;
+        }
+        if (setting.key == "timing_repeats" || setting.key == "warm_up")
+        {
+            const bool repeats = setting.key == "timing_repeats";
+            (repeats ? execution.timingRepeats : execution.warmUp) =
+                integerOf(setting, repeats ? 1 : 0, kMostRepeats);
             continue;
         }
         execution.isolation = textOf(setting);
@@ -401,6 +412,7 @@ BenchmarkPlan parsePlan(const std::string &text, const std::filesystem::path &fi
     for (const Config::Entry &entry : root.entries())
         if (entry.key == "reports") // last: charts name problems and planners
             readReports(entry, catalog, plan);
+    resolve(plan, catalog);
     return plan;
 }
 

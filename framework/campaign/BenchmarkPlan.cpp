@@ -1,5 +1,6 @@
 #include "framework/campaign/BenchmarkPlan.h"
 
+#include "framework/campaign/RunKey.h"
 #include "framework/support/Config.h"
 #include "framework/support/Error.h"
 #include "framework/support/File.h"
@@ -7,6 +8,7 @@
 
 #include <algorithm>
 #include <map>
+#include <unordered_map>
 
 namespace mrpp
 {
@@ -82,47 +84,32 @@ private:
     std::map<std::filesystem::path, std::string> known_;
 };
 
-/// Kind and settings; sorted, and numbers in one spelling, as neither their order nor their spelling matters.
-void add(Fingerprint &hash, const Configured &configured)
-{
-    auto settings = configured.settings;
-    for (auto &[name, value] : settings)
-        if (const auto number = parseNumber(value))
-            value = formatNumber(*number);
-    std::sort(settings.begin(), settings.end());
-    hash.add(configured.kind).add(static_cast<std::uint64_t>(settings.size()));
-    for (const auto &[name, value] : settings)
-        hash.add(name).add(value);
-}
-
-std::string runKey(const BenchmarkPlan &plan, const RunSpec &spec, const std::string &inputs)
-{
-    const ProblemPoint &point = plan.points[spec.point];
-    Fingerprint hash;
-    hash.add("run 1").add(point.model).add(point.settings).add(inputs);
-    hash.add(spec.graphSeed).add(spec.instanceSeed).add(spec.plannerSeed);
-    add(hash, plan.planners[spec.planner]);
-    hash.add(static_cast<std::uint64_t>(plan.optimizers.size()));
-    for (const Configured &optimizer : plan.optimizers)
-        add(hash, optimizer);
-    hash.add(plan.limits.time).add(plan.limits.memory).add(toString(plan.motion));
-    return hash.hex();
-}
-
 } // namespace
+
+std::vector<PointIdentity> identifyPoints(const BenchmarkPlan &plan, MissingInput missing)
+{
+    InputHashes hashes;
+    std::vector<PointIdentity> points;
+    for (std::string &id : pointIds(plan))
+        points.push_back(
+            {std::move(id), hashes.of(plan.points[points.size()].problem->inputFiles(), missing)});
+    return points;
+}
 
 std::vector<RunSpec> expand(const BenchmarkPlan &plan, MissingInput missing)
 {
-    const std::vector<std::string> ids = pointIds(plan);
-    InputHashes hashes;
-    std::map<std::string, std::uint64_t> asked; // how often a question came up so far
+    const std::vector<PointIdentity> points = identifyPoints(plan, missing);
+    RunKeys keys(plan);
+    std::unordered_map<std::string, std::uint64_t> asked; // how often a question came up so far
     std::vector<RunSpec> specs;
     specs.reserve(plan.points.size() * static_cast<std::size_t>(plan.repetitions) * plan.planners.size());
     for (std::size_t p = 0; p < plan.points.size(); ++p)
     {
         const ProblemPoint &point = plan.points[p];
         const std::string &identity = point.problem->identity();
-        const auto inputs = hashes.of(point.problem->inputFiles(), missing);
+        const auto &inputs = points[p].inputs;
+        if (inputs)
+            keys.enter(point, *inputs);
         for (std::int64_t repetition = 0; repetition < plan.repetitions; ++repetition)
         {
             RunSpec spec;
@@ -131,13 +118,18 @@ std::vector<RunSpec> expand(const BenchmarkPlan &plan, MissingInput missing)
             spec.graphSeed = deriveSeed(plan.seed, "graph", point.model, identity, repetition);
             spec.instanceSeed = deriveSeed(plan.seed, "instance", point.model, identity, repetition);
             spec.plannerSeed = deriveSeed(plan.seed, "planner", point.model, point.settings, repetition);
-            spec.caseId = ids[p] + "/" + std::to_string(repetition);
+            spec.caseId = points[p].id + "/" + std::to_string(repetition);
             for (spec.planner = 0; spec.planner < plan.planners.size(); ++spec.planner)
             {
-                spec.runKey = inputs ? runKey(plan, spec, *inputs) : std::string();
                 if (inputs)
+                {
+                    keys.set(spec);
                     if (const std::uint64_t times = ++asked[spec.runKey]; times > 1)
+                    {
                         spec.runKey = Fingerprint().add(spec.runKey).add(times).hex();
+                        spec.planKey = Fingerprint().add(spec.planKey).add(times).hex();
+                    }
+                }
                 specs.push_back(spec);
             }
         }
@@ -145,10 +137,19 @@ std::vector<RunSpec> expand(const BenchmarkPlan &plan, MissingInput missing)
     return specs;
 }
 
+std::string graphKey(const BenchmarkPlan &plan, const RunSpec &spec)
+{
+    // All points of a sweep over robots share the graph, and all repetitions where it is not drawn by chance.
+    const ProblemPoint &point = plan.points[spec.point];
+    return point.model + '\n' + point.problem->identity() + '\n' +
+           (point.problem->drawsGraph() ? std::to_string(spec.graphSeed) : "");
+}
+
 void fillIdentity(RunRecord &record, const BenchmarkPlan &plan, const RunSpec &spec)
 {
     const ProblemPoint &point = plan.points[spec.point];
     record.runKey = spec.runKey;
+    record.planKey = spec.planKey;
     record.caseId = spec.caseId;
     record.model = point.model;
     record.problem = point.name;

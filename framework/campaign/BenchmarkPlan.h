@@ -23,6 +23,9 @@ struct Limits
 {
     double time = 60;     ///< seconds, wall, of solve()
     double memory = 4096; ///< MB (10^6 bytes)
+
+    /// Seconds of all cores together that solve() and the processes that it starts may take; none by default.
+    std::optional<double> cpu = {};
 };
 
 /// A name and its settings: a planner or an optimizer of a plan.
@@ -31,7 +34,14 @@ struct Configured
     std::string kind;                                          ///< registered name
     std::string name;                                          ///< in results and figures; unique in the plan
     std::vector<std::pair<std::string, std::string>> settings; ///< parameter, value
+
+    /// Every parameter with its value, defaults included, and the algorithm's version under kVersionSetting:
+    /// what the program would run. See resolve().
+    std::vector<std::pair<std::string, std::string>> effective = {};
 };
+
+/// No parameter has such a name.
+inline constexpr const char *kVersionSetting = "(version)";
 
 /// One point of a sweep (or a problem without one).
 struct ProblemPoint
@@ -42,12 +52,15 @@ struct ProblemPoint
     std::string sweepVariable;              ///< "robots", "side", …; empty where nothing is swept
     std::optional<double> sweepValue;
     std::string settings; ///< canonical, with the number of robots
+    std::string defaults; ///< the family's version and the defaults that the settings leave, see resolve()
 };
 
 /// How the runs are executed.
 struct Execution
 {
     std::int64_t jobs = 1;
+    std::int64_t timingRepeats = 1;    ///< how often solve() is timed; 1 or more
+    std::int64_t warmUp = 0;           ///< how often it runs before that
     std::string isolation = "process"; ///< "process": in workers; "none": in the campaign's own process
 };
 
@@ -115,11 +128,19 @@ struct RunSpec
     /// "public_benchmark/room/robots=20/0". Of points that would read alike, the second gets "#2".
     std::string caseId;
 
-    /// Changes with anything that the result may depend on: settings, seeds, input files' contents, limits,
-    /// optimizers, motion rule; not with names, order, jobs or other runs. A question that the plan asks
-    /// twice (two entries with the same settings) is measured twice: the second has a key of its own.
+    /// Changes with anything that the result may depend on: effective settings, versions of algorithms,
+    /// seeds, input files' contents, limits, optimizers, motion rule, timing repeats; not with names, order,
+    /// jobs or other runs. A question that the plan asks twice (two entries with the same settings) is
+    /// measured twice: the second has a key of its own.
     std::string runKey;
+
+    /// The same without what the program brings: defaults and versions. Tells which question of the plan an
+    /// older program answered.
+    std::string planKey;
 };
+
+/// Runs with the same key share one graph.
+[[nodiscard]] std::string graphKey(const BenchmarkPlan &plan, const RunSpec &spec);
 
 /// What expand() does about an input file that is gone.
 enum class MissingInput
@@ -127,6 +148,16 @@ enum class MissingInput
     refuse,   ///< throws FileError: nothing can run
     tolerate, ///< leaves the keys of its runs empty: old results can still be shown
 };
+
+/// What tells a problem point from the plan's others.
+struct PointIdentity
+{
+    std::string id;                    ///< a case id without its repetition
+    std::optional<std::string> inputs; ///< a hash of its input files; nothing where one is missing
+};
+
+/// One a point. Reads the problems' input files.
+[[nodiscard]] std::vector<PointIdentity> identifyPoints(const BenchmarkPlan &plan, MissingInput missing);
 
 /// Every run of the plan, in the plan's order: by problem point, repetition, planner. Seeds derive from the
 /// campaign's seed, the problem and the repetition, never from the planner. Reads the problems' input files

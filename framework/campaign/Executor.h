@@ -23,6 +23,7 @@ struct RunResult
     Solution optimized;                       ///< after the optimizers, checked; empty without them
     std::shared_ptr<const Instance> instance; ///< what the planner was asked; null where there is none
     Progress progress;                        ///< of solve(); empty for planners without such properties
+    bool startedProcesses = false;            ///< the planner did
 };
 
 class Executor

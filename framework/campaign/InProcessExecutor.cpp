@@ -30,28 +30,35 @@ RunResult InProcessExecutor::execute(const RunSpec &spec, const std::stop_token 
     for (const Configured &optimizer : plan_.optimizers)
         optimizers.push_back({optimizer.name, create(catalog_.optimizers, optimizer)});
 
-    const auto planner = create(catalog_.planners, plan_.planners[spec.planner]);
-    planner->setSeed(spec.plannerSeed);
-    if (preRun_)
-        preRun_(*planner, spec);
+    const auto makePlanner = [&]
+    {
+        auto planner = create(catalog_.planners, plan_.planners[spec.planner]);
+        planner->setSeed(spec.plannerSeed);
+        if (preRun_)
+            preRun_(*planner, spec);
+        return planner;
+    };
+    const auto planner = makePlanner();
 
     RunSettings settings;
     settings.limits = plan_.limits;
     settings.motion = plan_.motion;
-    settings.measureMemory = jobs_ == 1;
+    settings.ownProcess = jobs_ == 1;
+    settings.timingRepeats = plan_.execution.timingRepeats;
+    settings.warmUp = plan_.execution.warmUp;
+    settings.again = makePlanner;
     settings.onPhase = onPhase_;
     RunResult result = runPlanner(*planner, *prepared, optimizers, settings, stop);
     fillIdentity(result.record, plan_, spec);
+    result.record.limitMeans =
+        settings.ownProcess ? "time asked, cpu asked, memory afterwards" : "time asked";
     return result;
 }
 
 std::shared_ptr<const Graph> InProcessExecutor::graph(const RunSpec &spec)
 {
-    const ProblemPoint &point = plan_.points[spec.point];
-    // All points of a sweep over robots share the graph.
-    const std::string key =
-        point.model + '\n' + point.problem->identity() + '\n' + std::to_string(spec.graphSeed);
-    return graphs_.get(key, [&] { return point.problem->makeGraph(spec.graphSeed); });
+    const Problem &problem = *plan_.points[spec.point].problem;
+    return graphs_.get(graphKey(plan_, spec), [&] { return problem.makeGraph(spec.graphSeed); });
 }
 
 std::shared_ptr<const PreparedInstance> InProcessExecutor::instance(const RunSpec &spec)

@@ -5,6 +5,7 @@
 
 #include "framework/Catalog.h"
 #include "framework/campaign/BenchmarkPlan.h"
+#include "framework/campaign/Configuration.h"
 #include "framework/campaign/Executor.h"
 #include "framework/campaign/RecentCache.h"
 #include "framework/campaign/RunPlanner.h"
@@ -48,15 +49,5 @@ private:
     RecentCache<std::shared_ptr<const Graph>> graphs_;
     RecentCache<std::shared_ptr<const PreparedInstance>> instances_;
 };
-
-/// The registered kind with the plan's settings. Throws InputError where there is no such kind or setting.
-template <class T>
-[[nodiscard]] std::unique_ptr<T> create(const Registry<T> &registry, const Configured &configured)
-{
-    std::unique_ptr<T> object = registry.create(configured.kind);
-    for (const auto &[name, value] : configured.settings)
-        object->parameters().set(name, value);
-    return object;
-}
 
 } // namespace mrpp

@@ -53,6 +53,14 @@ CREATE TABLE attempts (run_key TEXT PRIMARY KEY, count INTEGER NOT NULL);
 CREATE TABLE solutions (run_key TEXT PRIMARY KEY, moves BLOB NOT NULL);
 )sql";
 
+/// Since version 1 was made: what the rows of two tables stand for, see RunKey.h.
+void addQuestions(sqlite::Connection &database)
+{
+    for (const char *table : {"experiments", "plannerConfigs"})
+        if (!database.hasColumn(table, "question"))
+            database.run(std::string("ALTER TABLE ") + table + " ADD COLUMN question TEXT");
+}
+
 std::string runsTable()
 {
     std::string sql =
@@ -73,6 +81,7 @@ void create(sqlite::Connection &database)
     database.run(runsTable());
     database.run(kArenaViews);
     database.run(kOwnTables);
+    addQuestions(database);
 
     sqlite::Statement meaning(database, "INSERT INTO enums VALUES ('status', ?, ?)");
     constexpr int kBeyondAll = 64;
@@ -108,23 +117,42 @@ void openResultSchema(sqlite::Connection &database, const std::filesystem::path 
                                              std::to_string(kVersion) + "); use that version");
     if (version < 1)
         throw FileError({file.string()}, "does not say which version of the store it is; use another folder");
+    if (mayCreate)
+        addQuestions(database);
+}
+
+RunRows::RunRows(const sqlite::Statement &rows)
+{
+    for (int i = 0; i < rows.columnCount(); ++i)
+    {
+        std::string name = rows.columnName(i);
+        if (name == "status")
+            status_ = i;
+        else if (!isKeyColumn(name))
+            cells_.push_back({std::move(name), findRunColumn(rows.columnName(i)), i});
+    }
+}
+
+RunRecord RunRows::record(const sqlite::Statement &row) const
+{
+    RunRecord record;
+    record.status = static_cast<PlannerStatus>(row.integer(status_));
+    for (const Cell &cell : cells_)
+    {
+        Value value = row.column(cell.index);
+        if (std::holds_alternative<std::monostate>(value))
+            continue;
+        if (cell.column != nullptr)
+            cell.column->set(record, value);
+        else
+            record.extra[cell.name] = std::move(value);
+    }
+    return record;
 }
 
 RunRecord recordOf(const sqlite::Statement &row)
 {
-    RunRecord record;
-    for (int i = 0; i < row.columnCount(); ++i)
-    {
-        const std::string name = row.columnName(i);
-        const Value value = row.column(i);
-        if (name == "status")
-            record.status = static_cast<PlannerStatus>(row.integer(i));
-        else if (const RunColumn *column = findRunColumn(name))
-            column->set(record, value);
-        else if (!isKeyColumn(name) && !std::holds_alternative<std::monostate>(value))
-            record.extra[name] = value;
-    }
-    return record;
+    return RunRows(row).record(row);
 }
 
 bool isKeyColumn(const std::string &name)

@@ -14,6 +14,25 @@ namespace mrpp
 /// FileError.
 void openResultSchema(sqlite::Connection &database, const std::filesystem::path &file, bool mayCreate);
 
+/// The rows of `SELECT * FROM runs` as records; looks its columns up once.
+class RunRows
+{
+public:
+    explicit RunRows(const sqlite::Statement &rows);
+
+    [[nodiscard]] RunRecord record(const sqlite::Statement &row) const;
+
+private:
+    struct Cell
+    {
+        std::string name;
+        const RunColumn *column = nullptr; ///< null for one that an event added
+        int index = 0;
+    };
+    std::vector<Cell> cells_;
+    int status_ = 0;
+};
+
 /// The record in a row of `SELECT * FROM runs`.
 [[nodiscard]] RunRecord recordOf(const sqlite::Statement &row);
 

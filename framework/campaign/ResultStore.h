@@ -13,6 +13,7 @@
 #include "framework/campaign/BenchmarkPlan.h"
 #include "framework/campaign/ProgressSampler.h"
 #include "framework/campaign/Provenance.h"
+#include "framework/campaign/RunKey.h"
 #include "framework/campaign/RunRecord.h"
 #include "framework/model/Solution.h"
 
@@ -20,11 +21,21 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 namespace mrpp
 {
+
+/// What is kept of a run.
+struct FinishedRun
+{
+    RunRecord record;
+    Solution solution;
+    Progress progress;
+};
 
 class ResultStore
 {
@@ -45,17 +56,21 @@ public:
     /// What the runs to come belong to: limits and planners' settings, kept with them for other tools.
     void describe(const BenchmarkPlan &plan, const Provenance &provenance);
 
-    /// Keys of the finished runs.
+    /// Keys of the finished runs, and how each ended.
+    [[nodiscard]] std::unordered_map<std::string, PlannerStatus> finishedRuns() const;
     [[nodiscard]] std::set<std::string> finishedKeys() const;
 
     /// Notes that a run begins; returns how often it began, this time included. Survives the death of this
-    /// process, but is not forced to the disk.
+    /// process, but is not forced to the disk. Several threads may call it at once, and while another adds.
     std::int64_t begin(const std::string &runKey);
 
     /// Keeps a finished run (and its solution, where that is no more than 4 MiB packed). On return it is on
     /// disk. A run that is there already stays as it is. Throws InputError where an extra column has the name
     /// of another, and FileError where the disk is full; then the store is as before.
     void add(const RunRecord &record, const Solution &solution, const Progress &progress = {});
+
+    /// All of them, or after a failure none.
+    void add(std::span<const FinishedRun> runs);
 
     /// All finished runs, in the order in which they were kept.
     [[nodiscard]] std::vector<RunRecord> records() const;
@@ -69,9 +84,18 @@ public:
     /// What a run's progress properties were over time; those that it never had are left out.
     [[nodiscard]] Progress progress(const std::string &runKey) const;
 
+    /// How often each unfinished run has begun.
+    [[nodiscard]] std::unordered_map<std::string, std::int64_t> unfinishedAttempts() const;
+
+    /// What the newest run of each question() depended on: see campaignParts(), pointParts(), plannerParts().
+    [[nodiscard]] std::unordered_map<std::string, KeyParts> askedBefore() const;
+
+    /// A case and a planner's name as one text.
+    [[nodiscard]] static std::string question(const std::string &caseId, const std::string &planner);
+
 private:
-    class Database;
-    std::unique_ptr<Database> database_;
+    struct State;
+    std::unique_ptr<State> state_;
 };
 
 } // namespace mrpp

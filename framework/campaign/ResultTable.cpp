@@ -2,6 +2,7 @@
 
 #include "framework/support/Error.h"
 
+#include <algorithm>
 #include <map>
 #include <tuple>
 #include <unordered_map>
@@ -29,11 +30,18 @@ ResultTable::ResultTable(BenchmarkPlan plan, std::vector<RunRecord> records, Sol
       optimize_(std::move(optimize))
 {
     std::unordered_map<std::string, std::size_t> byKey;
+    std::unordered_map<std::string, std::size_t> byPlanKey; // answers of a program with other defaults
     std::map<decltype(questionOf(RunRecord())), std::size_t> byQuestion;
+    const bool knowsKeys =
+        std::ranges::none_of(specs_, [](const RunSpec &spec) { return spec.runKey.empty(); });
+    byKey.reserve(records.size());
+    byPlanKey.reserve(records.size());
     for (std::size_t i = 0; i < records.size(); ++i)
     {
         byKey[records[i].runKey] = i;
-        byQuestion[questionOf(records[i])] = i;
+        byPlanKey[records[i].planKey] = i;
+        if (!knowsKeys)
+            byQuestion[questionOf(records[i])] = i;
     }
     const auto find = [](const auto &index, const auto &key) -> std::optional<std::size_t>
     {
@@ -44,16 +52,19 @@ ResultTable::ResultTable(BenchmarkPlan plan, std::vector<RunRecord> records, Sol
     {
         RunRecord wanted;
         fillIdentity(wanted, plan_, spec);
-        const auto found =
-            spec.runKey.empty() ? find(byQuestion, questionOf(wanted)) : find(byKey, spec.runKey);
+        auto found = spec.runKey.empty() ? find(byQuestion, questionOf(wanted)) : find(byKey, spec.runKey);
+        if (!found && !spec.planKey.empty())
+            found = find(byPlanKey, spec.planKey);
         if (!found)
             continue;
         records_.push_back(records[*found]);
         RunRecord &record = records_.back();
         // A run keeps its key when its problem or planner is renamed: the plan's names win.
         const std::string key = record.runKey;
+        const std::string planKey = record.planKey;
         fillIdentity(record, plan_, spec);
         record.runKey = key; // the plan's is unknown where input files are gone
+        record.planKey = planKey;
     }
 }
 

@@ -1,8 +1,10 @@
 #include "framework/campaign/RunPlanner.h"
 
+#include "framework/campaign/RepeatedTiming.h"
 #include "framework/evaluation/Metrics.h"
 #include "framework/evaluation/Validator.h"
 #include "framework/support/Config.h"
+#include "framework/support/CpuTime.h"
 #include "framework/support/Memory.h"
 
 #include <algorithm>
@@ -47,6 +49,7 @@ public:
         if (growth <= limit)
             return;
         record.status = PlannerStatus::memory_limit;
+        record.terminationReason = "memory";
         record.reason = "grew by " + formatNumber(std::round(growth)) + " MB; the limit is " +
                         formatNumber(limit) + " MB";
     }
@@ -80,6 +83,7 @@ void guarded(RunRecord &record, const std::string &who, Work &&work)
     catch (const std::bad_alloc &)
     {
         end(record, PlannerStatus::memory_limit, who + "out of memory");
+        record.terminationReason = "memory";
     }
     catch (const std::exception &error)
     {
@@ -123,10 +127,30 @@ bool hasSolution(const RunRecord &record)
     return record.status == PlannerStatus::solved || record.status == PlannerStatus::partial;
 }
 
-/// setup() and solve(), timed; the status is the planner's word, which nobody has checked yet.
-void plan(Planner &planner, const RunSettings &settings, const std::stop_token &stop, RunResult &result)
+/// An answer that came too late is none; and which limit it was that came first.
+void judgeLimits(RunRecord &record, const RunSettings &settings)
 {
-    RunRecord &record = result.record;
+    const auto tooLate = [&](double spent, double limit, const char *clock, const char *reason)
+    {
+        if (hasSolution(record) && spent > limit + settings.grace)
+            end(record, PlannerStatus::timeout,
+                fmt::format("answered after {} s{}; the limit is {} s", formatNumber(spent), clock,
+                            formatNumber(limit)));
+        if (record.status == PlannerStatus::timeout && spent >= limit)
+            record.terminationReason = reason;
+    };
+    tooLate(*record.time, settings.limits.time, "", "walltime");
+    if (settings.limits.cpu && record.cpuTime)
+        tooLate(*record.cpuTime, *settings.limits.cpu, " of CPU time", "cputime-soft");
+    if (record.terminationReason == "cputime-soft" && record.reason.empty())
+        record.reason =
+            fmt::format("the CPU time limit of {} s came first", formatNumber(*settings.limits.cpu));
+}
+
+/// setup() and solve(), timed; the status is the planner's word, which nobody has checked yet.
+void plan(Planner &planner, const RunSettings &settings, const std::stop_token &stop, RunRecord &record,
+          Progress &progress)
+{
     begin(RunPhase::setup, settings, record);
     const Stopwatch setup;
     guarded(record, "", [&] { planner.setup(); });
@@ -135,8 +159,11 @@ void plan(Planner &planner, const RunSettings &settings, const std::stop_token &
         return;
 
     begin(RunPhase::solve, settings, record);
-    const auto ptc = TerminationCondition::after(settings.limits.time) || TerminationCondition::when(stop);
-    ProgressSampler progress(planner);
+    const CpuWatch cpu;
+    auto ptc = TerminationCondition::after(settings.limits.time) || TerminationCondition::when(stop);
+    if (settings.limits.cpu && settings.ownProcess)
+        ptc = ptc || cpu.limit(*settings.limits.cpu);
+    ProgressSampler sampler(planner);
     const Stopwatch solve;
     guarded(record, "",
             [&]
@@ -145,15 +172,37 @@ void plan(Planner &planner, const RunSettings &settings, const std::stop_token &
                 record.reason = planner.reason();
             });
     record.time = solve.seconds();
-    result.progress = progress.finish();
+    if (settings.ownProcess)
+        record.cpuTime = cpu.seconds();
+    progress = sampler.finish();
+    judgeLimits(record, settings);
     if (stop.stop_requested() && record.status != PlannerStatus::solved)
         end(record, PlannerStatus::aborted, "stopped by the user");
-    else if (hasSolution(record) && *record.time > settings.limits.time + settings.grace)
-        end(record, PlannerStatus::timeout,
-            "answered after " + formatNumber(*record.time) + " s; the limit is " +
-                formatNumber(settings.limits.time) + " s");
     else if (record.status == PlannerStatus::unknown)
         end(record, PlannerStatus::crash, "ended with the status 'unknown'");
+}
+
+/// Further timings of a run that ended with an answer.
+void repeat(const RunSettings &settings, const PreparedInstance &prepared, const RunRecord &before,
+            const std::stop_token &stop, const Solution &solution, RunRecord &record)
+{
+    using enum PlannerStatus;
+    const PlannerStatus status = record.status;
+    if (!record.time || !(hasSolution(record) || status == infeasible || status == gave_up))
+        return;
+    RepeatedTiming timing(record, solution.fingerprint());
+    for (std::int64_t i = 1; i < settings.timingRepeats && !stop.stop_requested(); ++i)
+    {
+        const std::unique_ptr<Planner> planner = settings.again();
+        planner->setInstance(prepared.instance);
+        RunRecord again = before;
+        Progress progress;
+        plan(*planner, settings, stop, again, progress);
+        if (stop.stop_requested())
+            return;
+        timing.add(again, planner->solution().fingerprint());
+    }
+    timing.note(record);
 }
 
 /// Why that is no answer; empty where it is one.
@@ -273,7 +322,18 @@ RunResult runPlanner(Planner &planner, const PreparedInstance &prepared,
     record.motion = toString(settings.motion);
     describeInstance(record, prepared, planner.specs().motion);
 
-    const MemoryWatch memory(settings.measureMemory);
+    const RunRecord before = record;
+    for (std::int64_t i = 0; i < settings.warmUp && !stop.stop_requested(); ++i)
+    {
+        RunRecord unmeasured = before;
+        Progress progress;
+        const std::unique_ptr<Planner> warm = settings.again();
+        warm->setInstance(prepared.instance);
+        if (reasonToReject(*warm, *prepared.instance, settings.motion).empty())
+            plan(*warm, settings, stop, unmeasured, progress);
+    }
+
+    const MemoryWatch memory(settings.ownProcess);
     guarded(record, "",
             [&]
             {
@@ -283,8 +343,10 @@ RunResult runPlanner(Planner &planner, const PreparedInstance &prepared,
                     end(record, PlannerStatus::unsupported, reason);
             });
     if (record.status == PlannerStatus::unknown)
-        plan(planner, settings, stop, result);
+        plan(planner, settings, stop, record, result.progress);
     memory.note(record, settings.limits.memory);
+    if (settings.timingRepeats > 1)
+        repeat(settings, prepared, before, stop, planner.solution(), record);
     if (record.status == PlannerStatus::infeasible && !record.unsolvable())
         end(record, PlannerStatus::invalid, "called a solvable instance infeasible: " + record.reason);
     if (!hasSolution(record))

@@ -73,8 +73,15 @@ struct RunSettings
     Limits limits = {};
     MotionRule motion = MotionRule::rotation; ///< a planner of a wider rule is `unsupported`
 
-    /// False where other runs share the process: its peak would be theirs too, and stays empty.
-    bool measureMemory = true;
+    /// False where other runs share the process: memory and CPU time would be theirs too, and stay empty; the
+    /// CPU limit does not hold.
+    bool ownProcess = true;
+
+    /// How often solve() is timed, and how often it runs before that. The repeats of a run begin with new
+    /// objects of `again`, which must be set where there are any.
+    std::int64_t timingRepeats = 1;
+    std::int64_t warmUp = 0;
+    std::function<std::unique_ptr<Planner>()> again = {};
 
     /// An answer that comes later than this after the time limit is a `timeout`.
     double grace = 1; ///< seconds
@@ -92,6 +99,10 @@ struct RunSettings
 ///    it is also `invalid` to call an instance infeasible that the oracle knows to be solvable under that
 ///    rule;
 ///  * else what it says itself.
+///
+/// What ends with an answer (solved, partial, infeasible, gave up) is timed as often as the settings say;
+/// `time` is the median, and the answers must not differ, which the record tells (`repeatable`). Memory is
+/// that of the first.
 ///
 /// Time is that of solve() alone, memory how far the process grows during setup() and solve(). Lengths are
 /// there for `solved` and `partial` only; the makespan is that of the solution condensed under `following`.

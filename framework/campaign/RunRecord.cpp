@@ -138,6 +138,17 @@ std::vector<RunColumn> makeColumns()
         column("solution_fingerprint", &R::solutionFingerprint, campaign),
         column("solvable", &R::solvable, solve),
         column("unsolvable_reason", &R::unsolvableReason, solve),
+        column("plan_key", &R::planKey, campaign),
+        column("termination_reason", &R::terminationReason, campaign),
+        column("cpu_time", &R::cpuTime, campaign),
+        column("timed", &R::timed, campaign),
+        column("time_min", &R::timeMin, campaign),
+        column("time_max", &R::timeMax, campaign),
+        column("time_iqr", &R::timeIqr, campaign),
+        column("repeatable", &R::repeatable, campaign),
+        column("load", &R::load, campaign),
+        column("cores", &R::cores, campaign),
+        column("limit_means", &R::limitMeans, campaign),
     };
 }
 

@@ -25,6 +25,8 @@ struct RunRecord
 {
     // Which run it is.
     std::string runKey; ///< content key: the same key, the same question to the same planner
+    std::string
+        planKey;        ///< of the question as the plan asks it, whatever the program's defaults and versions
     std::string caseId; ///< "small_benchmark/tree/0": the same instance for every planner
     std::string model;  ///< the problem family: "small_benchmark"
     std::string problem;
@@ -53,13 +55,26 @@ struct RunRecord
     // How it ended.
     PlannerStatus status = PlannerStatus::unknown;
     std::string reason;
+    std::string
+        terminationReason; ///< why it was ended: "walltime", "cputime", …; empty where it ended itself
     std::optional<double> completed; ///< share of robots at their goals
 
     // What it cost: wall seconds on the monotonic clock, MB.
     std::optional<double> time; ///< of solve() alone
     std::optional<double> setupTime;
     std::optional<double> optimizationTime;
-    std::optional<double> memory; ///< peak of the run
+    std::optional<double> memory;      ///< peak of the run
+    std::optional<double> cpuTime;     ///< of solve() and what it started, all cores together
+    std::optional<std::int64_t> timed; ///< how often solve() was timed; `time` is the median
+    std::optional<double> timeMin;
+    std::optional<double> timeMax;
+    std::optional<double> timeIqr; ///< third quartile minus first
+    std::string repeatable;        ///< "yes", or "no: " and what differed; empty where solved once only
+
+    // Under which conditions.
+    std::optional<double> load; ///< the machine's load average of the last minute when the run began
+    std::string cores;          ///< those that the run was confined to: "0", "2-3"; empty where to none
+    std::string limitMeans;     ///< how limits were kept and measured: "memory rlimit, cpu cgroup2, …"
 
     // The solution; nothing where there is none.
     std::optional<std::int64_t> pathLength;

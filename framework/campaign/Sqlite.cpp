@@ -108,6 +108,12 @@ bool Connection::hasTable(const std::string &name)
     return query.bind(1, name).step();
 }
 
+bool Connection::hasColumn(const std::string &table, const std::string &name)
+{
+    Statement query(*this, "SELECT 1 FROM pragma_table_info(?) WHERE name = ? COLLATE NOCASE");
+    return query.bind(1, table).bind(2, name).step();
+}
+
 std::int64_t Connection::lastRowId() const
 {
     return sqlite3_last_insert_rowid(handle_);

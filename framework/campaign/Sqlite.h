@@ -42,6 +42,8 @@ public:
     void foldLog() noexcept;
 
     [[nodiscard]] bool hasTable(const std::string &name);
+    /// Small letters and capitals are the same.
+    [[nodiscard]] bool hasColumn(const std::string &table, const std::string &name);
     [[nodiscard]] std::int64_t lastRowId() const;
 
     /// Throws FileError for a result code that is a failure, with SQLite's message and, where there is one,

@@ -1,20 +1,12 @@
 #include "framework/campaign/Worker.h"
 
+#include "framework/campaign/Guardian.h"
 #include "framework/campaign/InProcessExecutor.h"
 #include "framework/support/Error.h"
 #include "framework/support/Memory.h"
+#include "framework/support/ProcessTree.h"
 
-#include <algorithm>
-#include <cerrno>
-#include <chrono>
-#include <csignal>
-#include <filesystem>
-#include <fstream>
-#include <poll.h>
-#include <sys/prctl.h>
 #include <sys/resource.h>
-#include <sys/wait.h>
-#include <thread>
 #include <unistd.h>
 
 namespace mrpp
@@ -28,20 +20,6 @@ constexpr bool kLimitsMemory = false; // sanitizers map far more than they use
 #else
 constexpr bool kLimitsMemory = true;
 #endif
-
-/// Kills this process and everything in its group as soon as the campaign's end of the socket is closed.
-void dieWithCampaign()
-{
-    std::thread(
-        []
-        {
-            pollfd campaign{kWorkerSocket, POLLRDHUP, 0};
-            while (::poll(&campaign, 1, -1) < 0 && errno == EINTR)
-                continue;
-            ::kill(0, SIGKILL);
-        })
-        .detach();
-}
 
 /// How much more data memory the process may have; every allocation beyond fails.
 void limitGrowth(double megabytes)
@@ -64,37 +42,21 @@ void unlimitGrowth()
     ::setrlimit(RLIMIT_DATA, &limit);
 }
 
-/// The processes whose parent is this one.
-std::vector<pid_t> children()
+/// Of the processes that this one waited for: CPU seconds, and page faults, of which every process has some.
+struct ChildrenUsage
 {
-    std::vector<pid_t> found;
-    std::error_code error;
-    for (const auto &thread : std::filesystem::directory_iterator("/proc/self/task", error))
-    {
-        std::ifstream list(thread.path() / "children");
-        for (pid_t child = 0; list >> child;)
-            found.push_back(child);
-    }
-    return found;
-}
+    double cpuTime = 0;
+    long faults = 0;
 
-/// Kills what a planner left running, and what that left running: orphans become children of this process.
-void endChildren()
-{
-    constexpr int kPatience = 200; // rounds of a few milliseconds
-    for (int round = 0; round < kPatience; ++round)
+    static ChildrenUsage now()
     {
-        pid_t ended = 0;
-        do
-            ended = ::waitpid(-1, nullptr, WNOHANG);
-        while (ended > 0);
-        if (ended < 0)
-            return; // nobody is left
-        for (const pid_t child : children())
-            ::kill(child, SIGKILL);
-        std::this_thread::sleep_for(std::chrono::milliseconds(1 + round / 10));
+        rusage usage{};
+        ::getrusage(RUSAGE_CHILDREN, &usage);
+        const auto seconds = [](const timeval &time)
+        { return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_usec) * 1e-6; };
+        return {seconds(usage.ru_utime) + seconds(usage.ru_stime), usage.ru_minflt + usage.ru_majflt};
     }
-}
+};
 
 std::optional<Message> receive(MessageBuffer &buffer)
 {
@@ -132,10 +94,16 @@ void serve(const BenchmarkPlan &plan, const Catalog &catalog, MessageBuffer &buf
         const auto spec = toSpec(*message);
         if (!spec || spec->point >= plan.points.size() || spec->planner >= plan.planners.size())
             throw InputError("the plan has changed while its campaign runs");
-        const RunResult result = executor.execute(*spec, {});
+        const ChildrenUsage before = ChildrenUsage::now();
+        RunResult result = executor.execute(*spec, {});
         onlyOnce();
         unlimitGrowth();
+        const ChildrenUsage waited = ChildrenUsage::now();
         endChildren();
+        const ChildrenUsage ended = ChildrenUsage::now();
+        result.startedProcesses = ended.faults > before.faults;
+        if (result.record.cpuTime)
+            *result.record.cpuTime += ended.cpuTime - waited.cpuTime;
         if (!send(kWorkerSocket, toMessage(result)))
             return;
     }
@@ -150,8 +118,7 @@ int serveRuns(const Catalog &catalog, const std::function<BenchmarkPlan(const Pl
     const auto source = first ? toPlan(*first) : std::nullopt;
     if (!source)
         return 3;
-    ::prctl(PR_SET_CHILD_SUBREAPER, 1);
-    dieWithCampaign();
+    becomeGuarded(kWorkerSocket);
     try
     {
         const BenchmarkPlan plan = readPlan(*source);

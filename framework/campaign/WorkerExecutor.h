@@ -25,24 +25,34 @@ public:
                    std::int64_t jobs, bool needInstances);
 
     /// A worker that dies is a `crash` whose reason says how it died and in which phase; one that has to be
-    /// killed two seconds after a limit a `timeout`. A worker that somebody else kills (SIGKILL) is replaced
-    /// and the run begun again, twice at most. What a planner wrote to its standard error, the last 2 KiB, is
-    /// in the record's column `error_output`. Throws InputError as the worker does.
+    /// killed two seconds after a limit (of wall or
+    /// CPU time) a `timeout`, one that outgrows the memory limit together with what it started a
+    /// `memory_limit`; the record says by which means the limits are kept. A worker that somebody else kills
+    /// (SIGKILL) is replaced and the run begun again, twice at most. What a planner wrote to its standard
+    /// error, the last 2 KiB, is in the record's column `error_output`. Throws InputError as the worker does.
     [[nodiscard]] RunResult execute(const RunSpec &spec, const std::stop_token &stop) override;
 
 private:
     struct Attempt;
 
     [[nodiscard]] std::unique_ptr<WorkerProcess> takeWorker(const std::function<bool()> &stop);
+    [[nodiscard]] CoreSet takeCores();
+    WorkerProcess::End end(WorkerProcess &worker);
     void follow(WorkerProcess &worker, Attempt &attempt, const std::function<bool()> &stop);
-    RunResult describeEnd(const RunSpec &spec, Attempt &attempt, const WorkerProcess::End &end) const;
+    void enter(WorkerProcess &worker, Attempt &attempt, PhaseNote note);
+    bool isBeyondLimits(WorkerProcess &worker, Attempt &attempt) const;
+    RunResult describeEnd(const RunSpec &spec, Attempt &attempt, const WorkerProcess::End &end,
+                          const std::optional<double> &cpuTime) const;
+    void describeConditions(RunRecord &record, const WorkerProcess &worker) const;
+    void countChildrensMemory(RunResult &result, const WorkerProcess &worker, const Attempt &attempt) const;
 
     std::vector<std::string> command_;
     const BenchmarkPlan &plan_;
     bool needInstances_;
     InProcessExecutor instances_; ///< makes them on this side too, where they are needed
-    std::mutex mutex_;
+    std::mutex mutex_;            ///< guards what follows
     std::vector<std::unique_ptr<WorkerProcess>> idle_;
+    std::vector<CoreSet> cores_; ///< of workers that are still to be started
 };
 
 } // namespace mrpp

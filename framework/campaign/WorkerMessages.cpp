@@ -182,6 +182,7 @@ Message toMessage(const RunResult &result)
     write(writer, result.progress);
     writer.block(packSolution(result.solution));
     writer.block(packSolution(result.optimized));
+    writer.byte(result.startedProcesses ? 1 : 0);
     return {MessageKind::finished, writer.take()};
 }
 
@@ -193,7 +194,8 @@ std::optional<RunResult> toResult(const Message &message)
     result.progress = readProgress(reader);
     std::optional<Solution> solution = readSolution(reader);
     std::optional<Solution> optimized = readSolution(reader);
-    if (message.kind != MessageKind::finished || !solution || !optimized)
+    result.startedProcesses = reader.byte() != 0;
+    if (message.kind != MessageKind::finished || !solution || !optimized || !reader.good())
         return std::nullopt;
     result.solution = std::move(*solution);
     result.optimized = std::move(*optimized);

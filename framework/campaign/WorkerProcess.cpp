@@ -2,6 +2,7 @@
 
 #include "framework/campaign/Worker.h"
 #include "framework/support/Error.h"
+#include "framework/support/ProcessTree.h"
 #include "framework/support/Spawn.h"
 
 #include <algorithm>
@@ -40,7 +41,7 @@ pid_t spawn(const std::vector<std::string> &command, int socket, int errors)
 
 } // namespace
 
-WorkerProcess::WorkerProcess(const std::vector<std::string> &command)
+WorkerProcess::WorkerProcess(const std::vector<std::string> &command, const CoreSet &cores)
 {
     std::array<int, 2> sockets{};
     std::array<int, 2> pipe{};
@@ -58,6 +59,12 @@ WorkerProcess::WorkerProcess(const std::vector<std::string> &command)
     }
     if (pid_ < 0)
         throw FileError(command.front() + ": cannot be started as a worker: " + std::strerror(errno));
+    // It waits for the plan before it starts others: all of them inherit both.
+    if (!cores.empty() && confine(pid_, cores))
+        cores_ = cores;
+    group_ = ControlGroup::make();
+    if (group_ && !group_->add(pid_))
+        group_.reset();
 }
 
 WorkerProcess::~WorkerProcess()
@@ -95,26 +102,37 @@ std::optional<Message> WorkerProcess::receive(const std::optional<Clock::time_po
 
 WorkerProcess::End WorkerProcess::end()
 {
-    // A worker that crashed closes its socket a moment before it can be waited for.
-    constexpr int kPatience = 100; // milliseconds
+    constexpr int kPatience = 5000; // milliseconds, for its guardian to end what the planner started
+    pollfd socket{socket_.number(), POLLRDHUP, 0};
+    const bool isGone = ::poll(&socket, 1, 0) > 0 && (socket.revents & (POLLRDHUP | POLLHUP)) != 0;
+    if (!isGone)
+        ::kill(pid_, SIGTERM);
     int status = 0;
     pid_t ended = 0;
-    const bool isGone = [this]
-    {
-        pollfd socket{socket_.number(), POLLRDHUP, 0};
-        return ::poll(&socket, 1, 0) > 0;
-    }();
-    for (int i = 0; i < (isGone ? kPatience : 1) && ended == 0; ++i)
-    {
-        if (i > 0)
-            ::poll(nullptr, 0, 1);
-        ended = ::waitpid(pid_, &status, WNOHANG);
-    }
+    for (int i = 0; i < kPatience && (ended = ::waitpid(pid_, &status, WNOHANG)) == 0; ++i)
+        ::poll(nullptr, 0, 1);
     ::kill(-pid_, SIGKILL);
     while (ended <= 0 && (ended = ::waitpid(pid_, &status, 0)) < 0 && errno == EINTR)
         continue;
     pid_ = -1;
+    group_.reset();
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, WIFSIGNALED(status) ? WTERMSIG(status) : 0};
+}
+
+double WorkerProcess::cpuTime() const
+{
+    const auto counted = group_ ? group_->cpuTime() : std::nullopt;
+    return counted ? *counted : treeCpuTime(pid_);
+}
+
+double WorkerProcess::childrenMemory() const
+{
+    const std::vector<pid_t> first = childrenOf(pid_);
+    double sum = 0;
+    if (!first.empty())
+        for (const pid_t process : descendantsOf(first.front()))
+            sum += ownMemory(process);
+    return sum;
 }
 
 std::string WorkerProcess::takeErrorOutput()

@@ -4,10 +4,13 @@
 /// everything that it started.
 
 #include "framework/campaign/WorkerMessages.h"
+#include "framework/support/ControlGroup.h"
+#include "framework/support/Cores.h"
 #include "framework/support/Descriptor.h"
 
 #include <chrono>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <sys/types.h>
@@ -21,9 +24,10 @@ class WorkerProcess
 public:
     using Clock = std::chrono::steady_clock;
 
-    /// Starts the program in a process group of its own, its standard output going nowhere. No shell sees the
-    /// command. Throws FileError where that fails.
-    explicit WorkerProcess(const std::vector<std::string> &command);
+    /// Starts the program in a process group and, where the system allows it, a control group of its own, its
+    /// standard output going nowhere. No shell sees the command. Throws FileError where that fails.
+    /// \param cores to which it is confined; to none where empty
+    WorkerProcess(const std::vector<std::string> &command, const CoreSet &cores);
 
     /// Kills what is still there.
     ~WorkerProcess();
@@ -34,7 +38,8 @@ public:
     /// False where the worker is gone.
     bool send(const Message &message) { return mrpp::send(socket_.number(), message); }
 
-    /// The next message; nothing where the worker has ended, `deadline` passed, or `stop` says so.
+    /// The next message; nothing where the worker has ended, `deadline` passed, or `stop`, which is asked at
+    /// least every 50 ms, says so.
     [[nodiscard]] std::optional<Message> receive(const std::optional<Clock::time_point> &deadline,
                                                  const std::function<bool()> &stop);
 
@@ -45,8 +50,19 @@ public:
         int signal = 0;    ///< 0 where it ended by itself
     };
 
-    /// Kills its group, unless it has ended by itself, and waits for it. Call once.
+    /// Kills it and all that it started, unless it has ended by itself, and waits for it. Call once.
     End end();
+
+    /// CPU seconds of the worker and all that it started, so far.
+    [[nodiscard]] double cpuTime() const;
+
+    /// MB of memory of the processes that its planner has started and that live, sampled now.
+    [[nodiscard]] double childrenMemory() const;
+
+    /// Its control group; null where there is none.
+    [[nodiscard]] ControlGroup *group() const { return group_.get(); }
+    /// Those that it is confined to; empty where to none.
+    [[nodiscard]] const CoreSet &cores() const { return cores_; }
 
     /// The last 2 KiB of its standard error since the last call.
     [[nodiscard]] std::string takeErrorOutput();
@@ -54,7 +70,9 @@ public:
 private:
     void readErrorOutput();
 
-    pid_t pid_ = -1;
+    pid_t pid_ = -1; ///< of its guardian, whose first child is the worker
+    CoreSet cores_;
+    std::unique_ptr<ControlGroup> group_;
     Descriptor socket_;
     Descriptor errors_; ///< its standard error
     MessageBuffer buffer_;

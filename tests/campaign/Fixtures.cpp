@@ -279,7 +279,7 @@ ProblemPoint lanes(std::int64_t robots, const std::filesystem::path &file)
     const Config settings = Config::map(entries);
     auto problem = std::make_shared<Lanes>();
     problem->configure(settings, {});
-    return {"lanes", problem, "lanes", "robots", static_cast<double>(robots), settings.canonical()};
+    return {"lanes", problem, "lanes", "robots", static_cast<double>(robots), settings.canonical(), ""};
 }
 
 BenchmarkPlan plan(const std::vector<std::string> &planners, std::int64_t repetitions)
@@ -303,7 +303,11 @@ std::string timeless(RunRecord record)
     record.time.reset();
     record.setupTime.reset();
     record.optimizationTime.reset();
-    record.memory.reset();
+    for (auto *measured :
+         {&record.memory, &record.cpuTime, &record.timeMin, &record.timeMax, &record.timeIqr, &record.load})
+        measured->reset();
+    record.cores.clear();
+    record.limitMeans.clear();
     record.attempt = 0;
     return toJson(record, JsonColumns::all);
 }

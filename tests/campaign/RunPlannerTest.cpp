@@ -130,7 +130,7 @@ TEST(RunPlanner, MeasuresAnOptimizedSolutionBesideTheFirst)
 
 TEST(RunPlanner, LeavesMemoryOutWhereOthersShareTheProcess)
 {
-    EXPECT_EQ(run("walker", {}, {.measureMemory = false}).record.memory, std::nullopt);
+    EXPECT_EQ(run("walker", {}, {.ownProcess = false}).record.memory, std::nullopt);
 }
 
 TEST(RunPlanner, CallsAnExceptionACrash)

@@ -52,7 +52,18 @@ TEST(RunRecord, HasTheColumnsOfTheResultsFileInTheirOrder)
                                                "instance_fingerprint",
                                                "solution_fingerprint",
                                                "solvable",
-                                               "unsolvable_reason"};
+                                               "unsolvable_reason",
+                                               "plan_key",
+                                               "termination_reason",
+                                               "cpu_time",
+                                               "timed",
+                                               "time_min",
+                                               "time_max",
+                                               "time_iqr",
+                                               "repeatable",
+                                               "load",
+                                               "cores",
+                                               "limit_means"};
     std::vector<std::string> names;
     for (const RunColumn &column : runColumns())
         names.emplace_back(column.name);
