@@ -33,6 +33,7 @@ Examples:
   mrppsim run yaml/plans/quickstart.yaml
   mrppsim run plan.yaml -o results/monday --jobs 2
   mrppsim run plan.yaml --dry-run
+  mrppsim run plan.yaml --why
   mrppsim run plan.yaml -o results/part3 --shard 3/10)");
     const auto arguments = std::make_shared<RunArguments>();
     const auto shard = std::make_shared<std::string>();
@@ -48,6 +49,7 @@ Examples:
         ->check(wholeNumberFrom(1));
     command->add_option("--shard", *shard, "Only the i-th of n parts")->type_name("i/n");
     command->add_flag("--dry-run", arguments->dryRun, "Say what would be run, and run nothing");
+    command->add_flag("--why", arguments->why, "Say which runs would be made and why each, and run nothing");
     command->add_flag("--no-report", arguments->noReport, "Leave the reports to `mrppsim report`");
     command->add_flag("-q,--quiet", arguments->quiet, "No progress");
     command->callback(

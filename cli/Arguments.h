@@ -26,6 +26,7 @@ struct RunArguments
     std::int64_t shard = 1;
     std::int64_t shards = 1;
     bool dryRun = false;
+    bool why = false; ///< say which runs would be made and why, and run nothing
     bool noReport = false;
     bool quiet = false;
 };

@@ -6,14 +6,16 @@
 #include "cli/ProgressLine.h"
 #include "cli/Reporting.h"
 #include "framework/Benchmark.h"
+#include "framework/campaign/ResultStore.h"
+#include "framework/campaign/WhyRun.h"
+#include "framework/support/Cores.h"
 #include "yaml/PlanReader.h"
 
 #include <fmt/format.h>
 
-#include <cstdlib>
 #include <iostream>
+#include <optional>
 #include <set>
-#include <thread>
 
 namespace mrpp
 {
@@ -56,19 +58,47 @@ ExitCode dryRun(const BenchmarkPlan &plan, const std::filesystem::path &folder)
     return ExitCode::done;
 }
 
+/// The runs that are left, and why each is.
+ExitCode sayWhy(const BenchmarkPlan &plan, const std::filesystem::path &folder)
+{
+    std::error_code error;
+    std::optional<ResultStore> store;
+    if (std::filesystem::exists(folder / "results.sqlite", error))
+        store.emplace(folder, ResultStore::Access::read);
+    const auto missing = missingRuns(plan, store ? &*store : nullptr);
+    for (const MissingRun &run : missing)
+        std::cout << oneLine(run.spec.caseId + " by " + plan.planners[run.spec.planner].name + ": " + run.why)
+                  << '\n';
+    std::cout << counted(missing.size(), "run") << " would be made in " << folder.string() << '\n';
+    return ExitCode::done;
+}
+
 /// What may make the campaign's times less than honest; a line each. Asked before the campaign adds its own
 /// load.
 std::string warnings(std::int64_t jobs)
 {
     std::string text;
-    const auto cores = static_cast<std::int64_t>(std::thread::hardware_concurrency());
-    double load = 0;
-    if (cores > 0 && jobs > cores)
+    const auto cores = static_cast<std::int64_t>(machineCores());
+    const double load = machineLoad().value_or(0);
+    if (jobs > cores)
         text += fmt::format("warning: {} jobs share {} cores; times will be too long\n", jobs, cores);
-    else if (cores > 0 && ::getloadavg(&load, 1) == 1 && load > static_cast<double>(cores - jobs) + 1)
+    else if (load > static_cast<double>(cores - jobs) + 1)
         text += fmt::format("warning: other programs keep this machine busy (load {:.1f} on {} cores); times "
                             "may be too long\n",
                             load, cores);
+    return text;
+}
+
+/// What the finished runs say about it.
+std::string warnings(const Benchmark::Summary &summary)
+{
+    std::string text;
+    if (summary.underLoad > 0)
+        text += fmt::format("warning: {} of {} began under a load above the number of cores (column load)\n",
+                            summary.underLoad, counted(summary.finished, "run"));
+    if (summary.notRepeatable > 0)
+        text += fmt::format("warning: {} had another answer when solved again (column repeatable)\n",
+                            counted(summary.notRepeatable, "run"));
     return text;
 }
 
@@ -131,12 +161,14 @@ ExitCode run(const RunArguments &arguments, const Catalog &catalog)
         arguments.folder.value_or(std::filesystem::path("results") / plan.campaign);
     if (arguments.dryRun)
         return dryRun(plan, folder);
+    if (arguments.why)
+        return sayWhy(plan, folder);
 
     const std::string caveats = warnings(arguments.jobs.value_or(plan.execution.jobs));
     Benchmark benchmark(std::move(plan), catalog);
     const Benchmark::Summary summary = runCampaign(benchmark, arguments, folder);
     if (summary.finished > 0)
-        std::cerr << caveats;
+        std::cerr << caveats << warnings(summary);
     if (summary.interrupted)
     {
         sayHowToGoOn(arguments, summary, folder);

@@ -177,7 +177,8 @@ private:
     {
         ++summary_.finished;
         ++summary_.statuses[record.status];
-        if (record.load && *record.load > machineCores())
+        constexpr double kOwnShare = 0.5; // the campaign's own process works a little too
+        if (record.load && *record.load > machineCores() + kOwnShare)
             ++summary_.underLoad;
         if (record.repeatable.starts_with("no"))
             ++summary_.notRepeatable;
@@ -225,10 +226,10 @@ Benchmark::Summary Benchmark::benchmark(const Request &request, const std::stop_
     summary.planned = runs.size();
     const auto isFinished = [&summary, finished = store.finishedRuns()](const RunSpec &run)
     {
-        const auto found = finished.find(run.runKey);
-        if (found != finished.end())
-            ++summary.statuses[found->second];
-        return found != finished.end();
+        const auto status = finished.status(run.runKey);
+        if (status)
+            ++summary.statuses[*status];
+        return status.has_value();
     };
     runs.erase(std::remove_if(runs.begin(), runs.end(), isFinished), runs.end());
     summary.kept = summary.planned - runs.size();

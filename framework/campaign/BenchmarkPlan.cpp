@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <map>
-#include <unordered_map>
 
 namespace mrpp
 {
@@ -100,7 +99,6 @@ std::vector<RunSpec> expand(const BenchmarkPlan &plan, MissingInput missing)
 {
     const std::vector<PointIdentity> points = identifyPoints(plan, missing);
     RunKeys keys(plan);
-    std::unordered_map<std::string, std::uint64_t> asked; // how often a question came up so far
     std::vector<RunSpec> specs;
     specs.reserve(plan.points.size() * static_cast<std::size_t>(plan.repetitions) * plan.planners.size());
     for (std::size_t p = 0; p < plan.points.size(); ++p)
@@ -122,14 +120,7 @@ std::vector<RunSpec> expand(const BenchmarkPlan &plan, MissingInput missing)
             for (spec.planner = 0; spec.planner < plan.planners.size(); ++spec.planner)
             {
                 if (inputs)
-                {
                     keys.set(spec);
-                    if (const std::uint64_t times = ++asked[spec.runKey]; times > 1)
-                    {
-                        spec.runKey = Fingerprint().add(spec.runKey).add(times).hex();
-                        spec.planKey = Fingerprint().add(spec.planKey).add(times).hex();
-                    }
-                }
                 specs.push_back(spec);
             }
         }

@@ -72,19 +72,13 @@ void ResultDatabase::describe(const BenchmarkPlan &plan, const Provenance &prove
     repetitions_ = plan.repetitions;
     seed_ = std::to_string(plan.seed);
     planText_ = plan.text;
-    KeyParts campaign = campaignParts(plan);
-    campaign.emplace_back("campaign's seed", seed_);
     const auto points = identifyPoints(plan, MissingInput::tolerate);
     for (std::size_t p = 0; p < points.size(); ++p)
-    {
-        KeyParts &parts = pointParts_[points[p].id] =
-            pointParts(plan.points[p], points[p].inputs.value_or(""));
-        parts.insert(parts.end(), campaign.begin(), campaign.end());
-    }
+        questions_[points[p].id] = toText(experimentParts(plan, p, points[p].inputs.value_or("")));
     for (const Configured &planner : plan.planners)
     {
         plannerSettings_[planner.name] = settingsText(planner);
-        plannerParts_[planner.name] = plannerParts(planner);
+        plannerQuestions_[planner.name] = toText(plannerParts(planner));
     }
     experiments_.clear();
     planners_.clear();
@@ -169,8 +163,7 @@ std::int64_t ResultDatabase::experiment(const RunRecord &record)
     const auto [entry, isNew] = experiments_.try_emplace(name);
     if (!isNew)
         return entry->second;
-    const auto parts = pointParts_.find(name);
-    const std::string question = parts == pointParts_.end() ? "" : toText(parts->second);
+    const std::string &question = questions_[name];
     sqlite::Statement &find = prepared("SELECT id FROM experiments WHERE name = ? AND timelimit IS ? AND "
                                        "memorylimit IS ? AND seed IS ? AND setup IS ? AND question IS ?");
     find.bind(1, name).bind(2, timeLimit_).bind(3, memoryLimit_).bind(4, seed_).bind(5, planText_);
@@ -208,7 +201,7 @@ std::int64_t ResultDatabase::planner(const std::string &name)
     prepared("INSERT INTO plannerConfigs VALUES (NULL, ?, ?, ?)")
         .bind(1, name)
         .bind(2, settings)
-        .bind(3, toText(plannerParts_[name]))
+        .bind(3, plannerQuestions_[name])
         .execute();
     return entry->second = connection_.lastRowId();
 }

@@ -62,10 +62,9 @@ private:
     Value repetitions_;
     std::string seed_;
     std::string planText_;
-    KeyParts campaignParts_;
-    std::unordered_map<std::string, KeyParts> pointParts_; // by the experiment's name
+    std::unordered_map<std::string, std::string> questions_; // by the experiment's name, see RunKey.h
     std::map<std::string, std::string> plannerSettings_;
-    std::map<std::string, KeyParts> plannerParts_;
+    std::map<std::string, std::string> plannerQuestions_; // by name, as plannerSettings_
 
     // Rows that are known, and what the open transaction adds to them.
     std::unordered_map<std::string, std::int64_t> experiments_;

@@ -105,20 +105,24 @@ void ResultStore::describe(const BenchmarkPlan &plan, const Provenance &provenan
     state_->database.describe(plan, provenance);
 }
 
-std::unordered_map<std::string, PlannerStatus> ResultStore::finishedRuns() const
+FinishedRuns ResultStore::finishedRuns() const
 {
-    std::unordered_map<std::string, PlannerStatus> runs;
-    sqlite::Statement query(state_->database.connection(), "SELECT run_key, status FROM runs");
+    sqlite::Connection &connection = state_->database.connection();
+    FinishedRuns runs;
+    sqlite::Statement count(connection, "SELECT count(*) FROM runs");
+    runs.reserve(count.step() ? static_cast<std::size_t>(count.integer(0)) : 0);
+    sqlite::Statement query(connection, "SELECT run_key, status FROM runs");
     while (query.step())
-        runs.emplace(query.text(0), static_cast<PlannerStatus>(query.integer(1)));
+        runs.add(query.view(0), static_cast<PlannerStatus>(query.integer(1)));
     return runs;
 }
 
 std::set<std::string> ResultStore::finishedKeys() const
 {
     std::set<std::string> keys;
-    for (const auto &[key, status] : finishedRuns())
-        keys.insert(key);
+    sqlite::Statement query(state_->database.connection(), "SELECT run_key FROM runs");
+    while (query.step())
+        keys.insert(query.text(0));
     return keys;
 }
 
@@ -221,7 +225,15 @@ Progress ResultStore::progress(const std::string &runKey) const
 
 std::unordered_map<std::string, std::int64_t> ResultStore::unfinishedAttempts() const
 {
-    return state_->attempts;
+    std::unordered_map<std::string, std::int64_t> attempts;
+    sqlite::Statement query(state_->database.connection(), "SELECT run_key, count FROM attempts");
+    while (query.step())
+        attempts[query.text(0)] += query.integer(1);
+    for (const std::string &key : state_->begun.read())
+        ++attempts[key];
+    std::erase_if(attempts,
+                  [finished = finishedRuns()](const auto &entry) { return finished.contains(entry.first); });
+    return attempts;
 }
 
 std::unordered_map<std::string, KeyParts> ResultStore::askedBefore() const

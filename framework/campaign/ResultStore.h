@@ -11,6 +11,7 @@
 /// give each shard a folder of its own.
 
 #include "framework/campaign/BenchmarkPlan.h"
+#include "framework/campaign/FinishedRuns.h"
 #include "framework/campaign/ProgressSampler.h"
 #include "framework/campaign/Provenance.h"
 #include "framework/campaign/RunKey.h"
@@ -57,7 +58,7 @@ public:
     void describe(const BenchmarkPlan &plan, const Provenance &provenance);
 
     /// Keys of the finished runs, and how each ended.
-    [[nodiscard]] std::unordered_map<std::string, PlannerStatus> finishedRuns() const;
+    [[nodiscard]] FinishedRuns finishedRuns() const;
     [[nodiscard]] std::set<std::string> finishedKeys() const;
 
     /// Notes that a run begins; returns how often it began, this time included. Survives the death of this

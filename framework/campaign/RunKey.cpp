@@ -97,6 +97,15 @@ KeyParts plannerParts(const Configured &planner)
     return parts;
 }
 
+KeyParts experimentParts(const BenchmarkPlan &plan, std::size_t point, const std::string &inputs)
+{
+    KeyParts parts = pointParts(plan.points[point], inputs);
+    const KeyParts campaign = campaignParts(plan);
+    parts.insert(parts.end(), campaign.begin(), campaign.end());
+    parts.emplace_back("campaign's seed", std::to_string(plan.seed));
+    return parts;
+}
+
 std::string toText(const KeyParts &parts)
 {
     std::string text;
@@ -145,6 +154,15 @@ RunKeys::RunKeys(const BenchmarkPlan &plan)
     campaign_ = {hash(partsOf(plan, effective)), hash(partsOf(plan, written))};
     for (const Configured &planner : plan.planners)
         planners_.push_back({hash(planner, effective(planner)), hash(planner, written(planner))});
+    for (std::size_t i = 0; i < planners_.size(); ++i)
+    {
+        const auto isSame = [this, i](const Hashes &other) { return other.run == planners_[i].run; };
+        const auto here = planners_.begin() + static_cast<std::ptrdiff_t>(i);
+        earlierPlanners_.push_back(
+            static_cast<std::uint64_t>(std::count_if(planners_.begin(), here, isSame)));
+        samePlanners_.push_back(
+            static_cast<std::uint64_t>(std::count_if(planners_.begin(), planners_.end(), isSame)));
+    }
 }
 
 void RunKeys::enter(const ProblemPoint &point, const std::string &inputs)
@@ -152,12 +170,15 @@ void RunKeys::enter(const ProblemPoint &point, const std::string &inputs)
     ProblemPoint asWritten = point;
     asWritten.defaults.clear();
     point_ = {hash(pointParts(point, inputs)), hash(pointParts(asWritten, inputs))};
+    earlierPoints_ = points_[point_.run]++;
 }
 
 void RunKeys::set(RunSpec &spec) const
 {
-    const auto key = [&spec](const char *kind, const std::string &campaign, const std::string &point,
-                             const std::string &planner)
+    const std::uint64_t earlier =
+        earlierPoints_ * samePlanners_[spec.planner] + earlierPlanners_[spec.planner];
+    const auto key = [&spec, earlier](const char *kind, const std::string &campaign, const std::string &point,
+                                      const std::string &planner)
     {
         return Fingerprint()
             .add(kind)
@@ -167,6 +188,7 @@ void RunKeys::set(RunSpec &spec) const
             .add(spec.graphSeed)
             .add(spec.instanceSeed)
             .add(spec.plannerSeed)
+            .add(earlier)
             .hex();
     };
     spec.runKey = key("run 2", campaign_.run, point_.run, planners_[spec.planner].run);

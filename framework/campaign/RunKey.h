@@ -5,6 +5,8 @@
 
 #include "framework/campaign/BenchmarkPlan.h"
 
+#include <cstdint>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -25,6 +27,10 @@ using KeyParts = std::vector<std::pair<std::string, std::string>>;
 /// The kind of planner, the version of its algorithm and its effective parameters.
 [[nodiscard]] KeyParts plannerParts(const Configured &planner);
 
+/// pointParts() and campaignParts() of the plan's point number `point`, and the campaign's seed.
+[[nodiscard]] KeyParts experimentParts(const BenchmarkPlan &plan, std::size_t point,
+                                       const std::string &inputs);
+
 /// One part a line, and back.
 [[nodiscard]] std::string toText(const KeyParts &parts);
 [[nodiscard]] KeyParts keyParts(const std::string &text);
@@ -42,7 +48,8 @@ public:
     /// The runs that follow are of this point. \param inputs a hash of its input files
     void enter(const ProblemPoint &point, const std::string &inputs);
 
-    /// Sets runKey and planKey from the spec's seeds and planner.
+    /// Sets runKey and planKey from the spec's seeds and planner. What the plan asks several times has a key
+    /// of its own each time.
     void set(RunSpec &spec) const;
 
 private:
@@ -56,6 +63,10 @@ private:
     Hashes campaign_;
     Hashes point_;
     std::vector<Hashes> planners_;
+    std::vector<std::uint64_t> earlierPlanners_;  ///< of each: how many before it are the same
+    std::vector<std::uint64_t> samePlanners_;     ///< of each: how many are the same, itself included
+    std::map<std::string, std::uint64_t> points_; ///< how often each was entered
+    std::uint64_t earlierPoints_ = 0;             ///< how many before the present one are the same
 };
 
 } // namespace mrpp

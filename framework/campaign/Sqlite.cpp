@@ -202,11 +202,17 @@ Value Statement::column(int index) const
     }
 }
 
-std::string Statement::text(int index) const
+std::string_view Statement::view(int index) const
 {
     const unsigned char *data = sqlite3_column_text(handle_, index);
     const auto size = static_cast<std::size_t>(sqlite3_column_bytes(handle_, index));
-    return data == nullptr ? std::string() : std::string(reinterpret_cast<const char *>(data), size);
+    return data == nullptr ? std::string_view()
+                           : std::string_view(reinterpret_cast<const char *>(data), size);
+}
+
+std::string Statement::text(int index) const
+{
+    return std::string(view(index));
 }
 
 std::int64_t Statement::integer(int index) const

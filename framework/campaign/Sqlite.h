@@ -10,6 +10,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 struct sqlite3;
@@ -81,6 +82,8 @@ public:
 
     [[nodiscard]] Value column(int index) const;
     [[nodiscard]] std::string text(int index) const;
+    /// The same, valid until the next step.
+    [[nodiscard]] std::string_view view(int index) const;
     [[nodiscard]] std::int64_t integer(int index) const;
     [[nodiscard]] std::vector<std::uint8_t> bytes(int index) const;
     [[nodiscard]] int columnCount() const;

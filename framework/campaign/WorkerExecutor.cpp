@@ -129,13 +129,17 @@ bool WorkerExecutor::isBeyondLimits(WorkerProcess &worker, Attempt &attempt) con
         // little above; short runs end before they need it.
         constexpr double kKernelsShare = 1.02;
         constexpr double kKernelsMost = 16; // MB
-        group->limitMemory(plan_.limits.memory * kKernelsShare + kKernelsMost);
+        if (!group->limitMemory(plan_.limits.memory * kKernelsShare + kKernelsMost) ||
+            group->ranOutOfMemory())
+            attempt.end = Attempt::End::memory;
     }
     else if (const double memory = worker.childrenMemory(); memory > attempt.childrenMemory)
     {
         attempt.childrenMemory = memory;
     }
     const double grace = std::chrono::duration<double>(kGrace).count();
+    if (attempt.end == Attempt::End::memory)
+        return true;
     if (Clock::now() >= *attempt.deadline)
         attempt.end = Attempt::End::wallTime;
     else if (plan_.limits.cpu && worker.cpuTime() - *attempt.cpuAtPhase > *plan_.limits.cpu + grace)

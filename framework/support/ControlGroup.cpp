@@ -238,13 +238,14 @@ void ControlGroup::watchMemory()
     peakIsFresh_ = !memory_.second && put(memory_.folder / "memory.max_usage_in_bytes", "0");
 }
 
-void ControlGroup::limitMemory(double growth)
+bool ControlGroup::limitMemory(double growth)
 {
-    if (memory_.folder.empty())
-        return;
+    if (memory_.folder.empty() || isLimited_)
+        return true;
     killsAtStart_ = memoryKills();
     isLimited_ = put(memory_.folder / (memory_.second ? "memory.max" : "memory.limit_in_bytes"),
                      std::to_string(memoryAtStart_ + static_cast<std::uint64_t>(growth * 1e6)));
+    return isLimited_ || memoryNow().value_or(0) <= memoryAtStart_ + static_cast<std::uint64_t>(growth * 1e6);
 }
 
 void ControlGroup::unlimitMemory()

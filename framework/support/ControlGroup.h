@@ -38,7 +38,8 @@ public:
     void watchMemory();
 
     /// Lets memory grow by so many MB since watchMemory(); beyond that the kernel kills the largest process.
-    void limitMemory(double growth);
+    /// False where it has grown further already. Further calls change nothing until unlimitMemory().
+    bool limitMemory(double growth);
     void unlimitMemory();
 
     /// MB by which memory grew since watchMemory(), at most.

@@ -43,7 +43,7 @@ TEST(Expand, KeepsItsSeedsAndKeysFromVersionToVersion)
     EXPECT_EQ(specs[3].graphSeed, 5761338400910109753U);
     EXPECT_EQ(specs[3].instanceSeed, 6122785070585858432U);
     EXPECT_EQ(specs[3].plannerSeed, 2211799296299884969U);
-    EXPECT_EQ(specs[3].runKey, "d0eb81ad1a8cf0959232b0f7268af4eb");
+    EXPECT_EQ(specs[3].runKey, "6b951fdab034adf93c25bc42f9ae686c");
 }
 
 TEST(Expand, GivesEveryPlannerTheSameSeeds)

@@ -32,6 +32,18 @@ private:
     Act act_;
 };
 
+/// Counts until it is told to stop.
+class Busy final : public Walker
+{
+public:
+    PlannerStatus solve(const TerminationCondition &ptc) override
+    {
+        while (!ptc())
+            continue;
+        return PlannerStatus::timeout;
+    }
+};
+
 class SetupSpinner final : public Walker
 {
 public:
@@ -78,10 +90,46 @@ void leaveChildren()
     }
 }
 
-void chatter()
+/// A child in a session of its own, which nobody's group reaches.
+void leaveDaemon()
+{
+    if (::fork() != 0)
+        return;
+    ::setsid();
+    for (;;)
+        ::pause();
+}
+
+/// Children that each keep to the memory limit, but not together.
+void raiseFamily()
+{
+    constexpr int kChildren = 4;
+    for (int i = 0; i < kChildren; ++i)
+    {
+        if (::fork() != 0)
+            continue;
+        touch(1);
+        const std::vector<char> memory(100'000'000, 'x');
+        for (;;)
+            ::pause();
+    }
+    ::sleep(60);
+}
+
+/// Works in children while it waits itself.
+void delegateSpinning()
+{
+    for (int i = 0; i < 2; ++i)
+        if (::fork() == 0)
+            spin();
+    for (;;)
+        ::pause();
+}
+
+void chatter(int megabytes)
 {
     const std::string line(1023, 'a');
-    for (int i = 0; i < (1 << 16); ++i)
+    for (int i = 0; i < megabytes * 1024; ++i)
     {
         std::fprintf(stderr, "%s\n", line.c_str());
         std::printf("%s\n", line.c_str());
@@ -122,7 +170,23 @@ Catalog hostileCatalog()
     add(all, "holder", [] { touch(300'000'000); });
     add(all, "forker", [] { leaveChildren(); });
     add(all, "double", [] { (void)!::fork(); });
-    add(all, "chatter", [] { chatter(); });
+    add(all, "chatter", [] { chatter(64); });
+    add(all, "shouter", [] { chatter(512); });
+    add(all, "daemon",
+        []
+        {
+            leaveDaemon();
+            spin();
+        });
+    add(all, "deserter",
+        []
+        {
+            leaveDaemon();
+            std::raise(SIGSEGV);
+        });
+    add(all, "family", [] { raiseFamily(); });
+    add(all, "foreman", [] { delegateSpinning(); });
+    all.planners.add<Busy>("busy", "");
     add(all, "overflower",
         []
         {
@@ -137,9 +201,9 @@ BenchmarkPlan namedPlan(const std::string &name)
     BenchmarkPlan named;
     if (name == "hostile")
     {
-        named = plan({"segfaulter", "aborter", "exiter", "spinner", "setup_spinner", "glutton", "forker",
-                      "double", "chatter", "overflower", "thrower", "eater", "liar", "jumper", "sleeper",
-                      "walker"},
+        named = plan({"segfaulter", "aborter", "exiter",     "spinner",  "setup_spinner", "glutton", "forker",
+                      "double",     "chatter", "overflower", "thrower",  "eater",         "liar",    "jumper",
+                      "sleeper",    "walker",  "daemon",     "deserter", "family",        "prover"},
                      1);
         named.points.resize(1);
         named.limits = {.time = 0.3, .memory = 200};
@@ -149,6 +213,32 @@ BenchmarkPlan namedPlan(const std::string &name)
         named = plan({"holder", "walker", "glutton"}, 3);
         named.points.resize(1);
         named.limits.memory = 500;
+    }
+    else if (name == "shouters")
+    {
+        named = plan({"shouter", "walker"}, 1);
+        named.points.resize(1);
+    }
+    else if (name == "busy")
+    {
+        named = plan({"busy", "spinner", "foreman", "walker"}, 1);
+        named.points.resize(1);
+        named.limits.time = 300;
+        named.limits.cpu = 0.4;
+    }
+    else if (name == "trivial")
+    {
+        named = plan({"walker", "half"}, 3334);
+    }
+    else if (name == "pausing")
+    {
+        named = plan({"walker"}, 1);
+        named.planners[0].settings = {{"pause", "1"}};
+    }
+    else if (name == "many")
+    {
+        named = plan({"walker", "half"}, 334);
+        named.planners[0].settings = {{"pause", "0.002"}};
     }
     else if (name == "walkers")
     {

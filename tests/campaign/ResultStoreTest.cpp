@@ -246,8 +246,7 @@ TEST_F(ResultStoreTest, HasTheTablesOfPlannerArena)
     EXPECT_THAT(texts("SELECT name FROM sqlite_master WHERE type IN ('table', 'view') AND name NOT LIKE "
                       "'sqlite_%' ORDER BY name"),
                 ElementsAre("attempts", "bestPlannerConfigs", "bestPlannerConfigsPerExperiment", "enums",
-                            "experiments", "meta", "plannerConfigs", "progress", "runs",
-                            "solutions"));
+                            "experiments", "meta", "plannerConfigs", "progress", "runs", "solutions"));
     EXPECT_THAT(texts("SELECT name FROM pragma_table_info('experiments') LIMIT 12"),
                 ElementsAre("id", "name", "totaltime", "timelimit", "memorylimit", "runcount", "version",
                             "hostname", "cpuinfo", "date", "seed", "setup"));

@@ -133,6 +133,69 @@ TEST(RunPlanner, LeavesMemoryOutWhereOthersShareTheProcess)
     EXPECT_EQ(run("walker", {}, {.ownProcess = false}).record.memory, std::nullopt);
 }
 
+/// Times the walker, whose repeats make that many detours.
+RunRecord timed(std::int64_t repeats, const std::vector<std::string> &detours)
+{
+    const Catalog catalog = fixtures::catalog();
+    std::size_t made = 0;
+    const auto make = [&]
+    {
+        auto planner = catalog.planners.create("walker");
+        planner->parameters().set("pause", "0.002");
+        planner->parameters().set("detours", detours[std::min(made++, detours.size() - 1)]);
+        return planner;
+    };
+    RunSettings settings;
+    settings.timingRepeats = repeats;
+    settings.warmUp = 1;
+    settings.again = make;
+    const auto planner = make();
+    RunRecord record = runPlanner(*planner, question(), {}, settings, {}).record;
+    EXPECT_EQ(made, static_cast<std::size_t>(repeats) + 1);
+    return record;
+}
+
+TEST(RunPlanner, TimesRepeatedly)
+{
+    const RunRecord record = timed(5, {"3"});
+    EXPECT_EQ(record.timed, 5);
+    EXPECT_EQ(record.repeatable, "yes");
+    EXPECT_EQ(record.pathLength, 11);
+    EXPECT_GE(record.timeMin.value(), 0.002);
+    EXPECT_LE(record.timeMin.value(), record.time.value());
+    EXPECT_LE(record.time.value(), record.timeMax.value());
+    EXPECT_LE(record.timeIqr.value(), *record.timeMax - *record.timeMin);
+}
+
+TEST(RunPlanner, RecordsThatARepeatGaveAnotherSolution)
+{
+    const RunRecord record = timed(3, {"3", "3", "3", "4"});
+    EXPECT_EQ(record.status, PlannerStatus::solved);
+    EXPECT_EQ(record.pathLength, 11);
+    EXPECT_EQ(record.repeatable,
+              "no: the same question and seed had another solution when it was solved again");
+}
+
+TEST(RunPlanner, DoesNotRepeatWhatDidNotEndWithAnAnswer)
+{
+    RunSettings settings;
+    settings.timingRepeats = 3;
+    settings.again = []() -> std::unique_ptr<Planner> { throw std::logic_error("asked again"); };
+    const RunRecord record = run("thrower", {}, settings).record;
+    EXPECT_EQ(record.status, PlannerStatus::crash);
+    EXPECT_EQ(record.timed, std::nullopt);
+    EXPECT_EQ(record.repeatable, "");
+}
+
+TEST(RunPlanner, TellsTheCpuTimeOfSolving)
+{
+    RunSettings settings;
+    settings.limits.cpu = 0.05;
+    Counter counter;
+    const RunRecord record = runPlanner(counter, question(), {}, settings, {}).record;
+    EXPECT_GT(record.cpuTime.value(), 0);
+}
+
 TEST(RunPlanner, CallsAnExceptionACrash)
 {
     const RunRecord record = run("thrower").record;

@@ -1,4 +1,5 @@
 // `campaign_victim FOLDER JOBS` runs a campaign of slow planners in that folder, until it is killed or done;
+// `campaign_victim FOLDER JOBS PLAN` runs the plan of that name, in workers;
 // `campaign_victim worker NAME` serves the runs of another campaign, whose tests look for that name.
 
 #include "tests/campaign/Victim.h"
@@ -13,7 +14,7 @@
 int main(int count, char **words)
 {
     using namespace mrpp;
-    if (count != 3)
+    if (count != 3 && count != 4)
         return 2;
     try
     {
@@ -21,8 +22,11 @@ int main(int count, char **words)
         if (std::string(words[1]) == "worker")
             return serveRuns(catalog,
                              [](const PlanSource &source) { return fixtures::namedPlan(source.text); });
-        Benchmark benchmark(fixtures::victimPlan(), catalog);
-        (void)benchmark.benchmark({.folder = words[1], .jobs = std::stoll(words[2])}, {});
+        Benchmark::Request request = {.folder = words[1], .jobs = std::stoll(words[2])};
+        if (count == 4)
+            request.worker = {"/proc/self/exe", "worker", words[1]};
+        Benchmark benchmark(count == 4 ? fixtures::namedPlan(words[3]) : fixtures::victimPlan(), catalog);
+        (void)benchmark.benchmark(request, {});
         return 0;
     }
     catch (const std::exception &error)

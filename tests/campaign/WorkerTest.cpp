@@ -3,21 +3,20 @@
 
 #include "framework/Benchmark.h"
 #include "framework/campaign/ResultStore.h"
+#include "framework/support/Cores.h"
 #include "framework/support/Error.h"
 #include "tests/campaign/Fixtures.h"
 #include "tests/campaign/Hostile.h"
+#include "tests/campaign/Processes.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <atomic>
 #include <csignal>
-#include <fstream>
 #include <map>
 #include <set>
-#include <sstream>
 #include <thread>
-#include <unistd.h>
 
 namespace mrpp
 {
@@ -26,24 +25,6 @@ namespace
 
 using testing::HasSubstr;
 using testing::StartsWith;
-
-/// Processes whose command line holds that word.
-std::vector<pid_t> processes(const std::string &word)
-{
-    std::vector<pid_t> found;
-    for (const auto &entry : std::filesystem::directory_iterator("/proc"))
-    {
-        const std::string name = entry.path().filename();
-        if (name.find_first_not_of("0123456789") != std::string::npos)
-            continue;
-        std::ifstream file(entry.path() / "cmdline");
-        std::stringstream line;
-        line << file.rdbuf();
-        if (line.str().find(word) != std::string::npos)
-            found.push_back(std::stoi(name));
-    }
-    return found;
-}
 
 /// A campaign in workers; the workers' command lines hold the folder's name.
 class Campaign
@@ -72,7 +53,7 @@ public:
 
     [[nodiscard]] RunRecord record(const std::string &planner) const { return records(planner).at(0); }
     [[nodiscard]] std::vector<std::string> rows() const { return fixtures::rows(plan_, folder_.path()); }
-    [[nodiscard]] std::vector<pid_t> workers() const { return processes(folder_.path().string()); }
+    [[nodiscard]] std::vector<pid_t> workers() const { return fixtures::processes(folder_.path().string()); }
     [[nodiscard]] const BenchmarkPlan &plan() const { return plan_; }
     [[nodiscard]] const Catalog &catalog() const { return catalog_; }
 
@@ -110,6 +91,10 @@ TEST(Worker, ContainsEveryHostilePlanner)
         {"thrower", {crash, "threw: no luck"}},
         {"liar", {invalid, ""}},
         {"jumper", {invalid, ""}},
+        {"prover", {invalid, "called a solvable instance infeasible"}},
+        {"daemon", {timeout, "did not stop in solve(): killed 2 s after its limit of 0.3 s"}},
+        {"deserter", {crash, "killed by signal 11 (Segmentation fault) in solve()"}},
+        {"family", {memory_limit, ""}},
         {"forker", {solved, ""}},
         {"double", {solved, ""}},
         {"sleeper", {solved, ""}},
@@ -124,13 +109,85 @@ TEST(Worker, ContainsEveryHostilePlanner)
         EXPECT_THAT(record.reason, StartsWith(end.second));
         EXPECT_EQ(record.vertices, 24);
         EXPECT_FALSE(record.instanceFingerprint.empty());
+        EXPECT_THAT(record.limitMeans, HasSubstr("rlimit"));
     }
+    for (const char *planner : {"spinner", "setup_spinner", "daemon"})
+        EXPECT_EQ(campaign.record(planner).terminationReason, "walltime") << planner;
+    for (const char *planner : {"glutton", "eater", "family"})
+        EXPECT_EQ(campaign.record(planner).terminationReason, "memory") << planner;
+    for (const char *planner : {"segfaulter", "exiter", "walker", "liar"})
+        EXPECT_EQ(campaign.record(planner).terminationReason, "") << planner;
+
+    // Whoever runs beside it, a healthy planner's answer is the same.
+    BenchmarkPlan healthy = campaign.plan();
+    std::erase_if(healthy.planners, [](const Configured &planner) { return planner.kind != "walker"; });
+    const fixtures::TemporaryFolder folder;
+    (void)Benchmark(healthy, campaign.catalog()).benchmark({.folder = folder.path()}, {});
+    EXPECT_EQ(fixtures::rows(healthy, folder.path()),
+              std::vector<std::string>{fixtures::timeless(campaign.record("walker"))});
+
     EXPECT_EQ(std::get<std::string>(campaign.record("aborter").extra.at("error_output")),
               "assertion failed\n");
     const auto spoken = std::get<std::string>(campaign.record("chatter").extra.at("error_output"));
     EXPECT_EQ(spoken.size(), 2048U);
     EXPECT_TRUE(spoken.ends_with("last words"));
     EXPECT_NEAR(campaign.record("spinner").time.value(), 2.3, 0.5);
+}
+
+TEST(Worker, KeepsTheEndOfAGigabyteOfOutput)
+{
+    Campaign campaign("shouters");
+    (void)campaign.run(2);
+    const RunRecord shouter = campaign.record("shouter");
+    EXPECT_EQ(shouter.status, PlannerStatus::solved) << shouter.reason;
+    const auto spoken = std::get<std::string>(shouter.extra.at("error_output"));
+    EXPECT_EQ(spoken.size(), 2048U);
+    EXPECT_TRUE(spoken.ends_with("last words"));
+    EXPECT_EQ(campaign.record("walker").status, PlannerStatus::solved);
+}
+
+TEST(Worker, LimitsTheCpuTimeOfAPlannerAndWhatItStarts)
+{
+    if (kSanitized)
+        GTEST_SKIP() << "too slow";
+    Campaign campaign("busy");
+    (void)campaign.run(2);
+    EXPECT_TRUE(campaign.workers().empty());
+    const std::map<std::string, std::pair<std::string, std::string>> expected = {
+        {"busy", {"cputime-soft", "the CPU time limit of 0.4 s came first"}},
+        {"spinner", {"cputime", "did not stop in solve(): killed 2 s of CPU time after its limit of 0.4 s"}},
+        {"foreman", {"cputime", "did not stop in solve(): killed 2 s of CPU time after its limit of 0.4 s"}}};
+    for (const auto &[planner, end] : expected)
+    {
+        SCOPED_TRACE(planner);
+        const RunRecord record = campaign.record(planner);
+        EXPECT_EQ(record.status, PlannerStatus::timeout);
+        EXPECT_EQ(record.terminationReason, end.first);
+        EXPECT_EQ(record.reason, end.second);
+        const double least = end.first == "cputime" ? 2.4 : 0.4;
+        EXPECT_GE(record.cpuTime.value(), least * 0.98);
+        EXPECT_LT(record.cpuTime.value(), least + 0.5);
+    }
+    EXPECT_EQ(campaign.record("walker").status, PlannerStatus::solved);
+    EXPECT_LT(campaign.record("walker").cpuTime.value(), 0.1);
+}
+
+TEST(Worker, ConfinesEachJobToCoresOfItsOwn)
+{
+    Campaign campaign("walkers");
+    (void)campaign.run(2);
+    std::set<std::string> cores;
+    for (const RunRecord &record : campaign.records("walker"))
+    {
+        cores.insert(record.cores);
+        EXPECT_TRUE(record.load.has_value());
+    }
+    const auto shares = shareCores(allowedCores(), 2);
+    if (shares.empty())
+        EXPECT_EQ(cores, std::set<std::string>{""});
+    else
+        for (const std::string &set : cores)
+            EXPECT_TRUE(set == toString(shares[0]) || set == toString(shares[1])) << set;
 }
 
 TEST(Worker, GivesTheSameResultsAsThisProcess)
