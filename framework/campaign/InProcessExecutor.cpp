@@ -5,10 +5,27 @@
 namespace mrpp
 {
 
+namespace
+{
+
+constexpr std::size_t kGraphBudget = std::size_t{128} << 20; // bytes of graphs that are kept for later cases
+
+/// Bytes, about.
+std::size_t graphSize(const std::shared_ptr<const Graph> &graph)
+{
+    constexpr std::size_t kOfAVertex = 28; // its place in the lists, and its coordinates
+    constexpr std::size_t kOfAnEdge = 16;
+    constexpr std::size_t kLeast = 1024;
+    return kLeast + graph->vertexCount() * kOfAVertex + graph->edgeCount() * kOfAnEdge;
+}
+
+} // namespace
+
 InProcessExecutor::InProcessExecutor(const BenchmarkPlan &plan, const Catalog &catalog, std::int64_t jobs,
                                      PreRunEvent preRun)
     : plan_(plan), catalog_(catalog), jobs_(jobs), preRun_(std::move(preRun)),
-      graphs_(static_cast<std::size_t>(jobs) + 1), instances_(static_cast<std::size_t>(jobs) + 1)
+      graphs_(static_cast<std::size_t>(jobs) + 1, graphSize, kGraphBudget),
+      instances_(static_cast<std::size_t>(jobs) + 1)
 {}
 
 RunResult InProcessExecutor::execute(const RunSpec &spec, const std::stop_token &stop)

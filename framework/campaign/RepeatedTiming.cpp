@@ -1,7 +1,8 @@
 #include "framework/campaign/RepeatedTiming.h"
 
+#include "framework/support/Quantiles.h"
+
 #include <algorithm>
-#include <cmath>
 #include <fmt/core.h>
 
 namespace mrpp
@@ -9,16 +10,6 @@ namespace mrpp
 
 namespace
 {
-
-/// By linear interpolation between order statistics.
-double quantile(std::vector<double> values, double share)
-{
-    std::sort(values.begin(), values.end());
-    const double place = share * static_cast<double>(values.size() - 1);
-    const auto below = static_cast<std::size_t>(place);
-    const std::size_t above = std::min(below + 1, values.size() - 1);
-    return std::lerp(values[below], values[above], place - std::floor(place));
-}
 
 void append(std::vector<double> &values, const std::optional<double> &value)
 {
@@ -53,13 +44,14 @@ void RepeatedTiming::note(RunRecord &record) const
     record.timed = static_cast<std::int64_t>(times_.size());
     if (times_.size() < 2)
         return;
-    record.time = quantile(times_, 0.5);
-    record.timeMin = quantile(times_, 0);
-    record.timeMax = quantile(times_, 1);
-    record.timeIqr = quantile(times_, 0.75) - quantile(times_, 0.25);
-    record.setupTime = quantile(setupTimes_, 0.5);
+    const auto times = quartiles(times_);
+    record.time = times->median;
+    record.timeMin = *std::min_element(times_.begin(), times_.end());
+    record.timeMax = *std::max_element(times_.begin(), times_.end());
+    record.timeIqr = times->q3 - times->q1;
+    record.setupTime = median(setupTimes_);
     if (!cpuTimes_.empty())
-        record.cpuTime = quantile(cpuTimes_, 0.5);
+        record.cpuTime = median(cpuTimes_);
     record.repeatable = difference_.empty() ? "yes" : "no: " + difference_;
 }
 

@@ -4,6 +4,7 @@
 #include "framework/support/Fingerprint.h"
 
 #include <algorithm>
+#include <fmt/core.h>
 #include <sstream>
 
 namespace mrpp
@@ -138,14 +139,14 @@ std::string differences(const KeyParts &before, const KeyParts &now)
     const auto add = [&text](const std::string &words) { text += (text.empty() ? "" : "; ") + words; };
     for (const auto &[name, value] : now)
         if (const auto was = find(before, name); was == before.end())
-            add(name + " is new: " + value);
+            add(fmt::format("{} is new: {}", name, value));
         else if (was->second != value && name == "input files")
             add("input files changed");
         else if (was->second != value)
-            add(name + " was '" + was->second + "', is '" + value + "'");
+            add(fmt::format("{} was '{}', is '{}'", name, was->second, value));
     for (const auto &[name, value] : before)
         if (find(now, name) == now.end())
-            add(name + " is gone: '" + value + "'");
+            add(fmt::format("{} is gone: '{}'", name, value));
     return text;
 }
 

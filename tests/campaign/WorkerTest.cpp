@@ -226,7 +226,7 @@ TEST(Worker, IsReplacedWhenSomebodyKillsIt)
                 Random random(7);
                 while (!stop.stop_requested())
                 {
-                    std::this_thread::sleep_for(std::chrono::milliseconds(100 + random.below(200)));
+                    std::this_thread::sleep_for(std::chrono::milliseconds(20 + random.below(60)));
                     const auto workers = campaign.workers();
                     if (!workers.empty() && ::kill(workers[random.below(workers.size())], SIGKILL) == 0)
                         ++kills;
