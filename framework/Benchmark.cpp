@@ -58,6 +58,9 @@ bool isInShard(const BenchmarkPlan &plan, const RunSpec &spec, const Benchmark::
 /// Everything that can be wrong with the plan's input, found before the first run.
 void checkInputs(const BenchmarkPlan &plan, const std::vector<RunSpec> &runs)
 {
+    for (const Configured &planner : plan.planners)
+        if (planner.command)
+            checkExecutable(*planner.command);
     std::set<std::size_t> checked;
     std::string lastKey;
     std::shared_ptr<const Graph> graph; // of the last point: points of a sweep over robots share it

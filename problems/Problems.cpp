@@ -5,6 +5,7 @@
 #include "problems/PublicBenchmark.h"
 #include "problems/SmallBenchmark.h"
 #include "problems/formats/AnimationsReport.h"
+#include "problems/formats/Exchange.h"
 #include "problems/formats/Formats.h"
 #include "problems/generators/Generators.h"
 
@@ -25,6 +26,7 @@ void registerProblems(Catalog &catalog)
     catalog.reports.add<AnimationsReport>("animations", "solutions of the first repetition, for GraphRec");
     for (FileFormat &format : fileFormats())
         catalog.formats.push_back(std::move(format));
+    catalog.files = std::make_shared<const Exchange>();
 }
 
 } // namespace mrpp

@@ -4,6 +4,8 @@
 #include "framework/support/File.h"
 #include "framework/support/Suggestion.h"
 #include "yaml/ChartList.h"
+#include "yaml/PlanNodes.h"
+#include "yaml/PlannerList.h"
 #include "yaml/ProblemList.h"
 #include "yaml/YamlConfig.h"
 
@@ -19,42 +21,6 @@ namespace mrpp
 namespace
 {
 
-const Config &requireMap(const Config &node, const SourceLocation &where, const std::string &what)
-{
-    if (!node.isMap())
-        throw PlanError(node.where().line > 0 ? node.where() : where, what);
-    return node;
-}
-
-void checkKeys(const Config &map, const std::string &owner, const std::vector<std::string> &known)
-{
-    for (const Config::Entry &entry : map.entries())
-        if (std::find(known.begin(), known.end(), entry.key) == known.end())
-            throw PlanError(entry.where,
-                            "unknown key '" + entry.key + "' in " + owner + suggestion(entry.key, known));
-}
-
-const std::string &textOf(const Config::Entry &entry)
-{
-    if (!entry.value.isScalar() || entry.value.text().empty())
-        throw PlanError(entry.value.isScalar() || entry.value.kind() == Config::Kind::empty
-                            ? entry.where
-                            : entry.value.where(),
-                        "'" + entry.key + "' takes one value");
-    return entry.value.text();
-}
-
-std::int64_t integerOf(const Config::Entry &entry, std::int64_t low, std::int64_t high)
-{
-    (void)textOf(entry);
-    const auto value = parseInteger(entry.value.text());
-    if (!value || *value < low || *value > high)
-        throw PlanError(entry.value.where(), "'" + entry.key + "' takes a whole number from " +
-                                                 std::to_string(low) + " to " + std::to_string(high) +
-                                                 ", but is '" + entry.value.text() + "'");
-    return *value;
-}
-
 bool boolOf(const Config::Entry &entry)
 {
     const std::string &text = textOf(entry);
@@ -63,17 +29,6 @@ bool boolOf(const Config::Entry &entry)
     if (text == "false" || text == "no")
         return false;
     throw PlanError(entry.value.where(), "'" + entry.key + "' takes true or false, but is '" + text + "'");
-}
-
-/// The items of a list that must not be empty.
-const std::vector<Config> &itemsOf(const Config::Entry &entry, const std::string &what)
-{
-    if (!entry.value.isList())
-        throw PlanError(entry.value.kind() == Config::Kind::empty ? entry.where : entry.value.where(),
-                        "'" + entry.key + "' takes a list: " + what);
-    if (entry.value.items().empty())
-        throw PlanError(entry.value.where(), "'" + entry.key + "' is an empty list; give " + what);
-    return entry.value.items();
 }
 
 using Unit = std::pair<std::string_view, double>;
@@ -181,96 +136,6 @@ ExplorerChoice readExplorer(const Config::Entry &entry)
                                                        suggestion(explorer.solutions, known));
     }
     return explorer;
-}
-
-/// Sets each parameter of a fresh object, so that nothing is wrong with them later.
-void readSettings(const Config::Entry &entry, ParameterSet &parameters, Configured &configured)
-{
-    requireMap(entry.value, entry.where, "'set' takes a map of parameters and values");
-    for (const Config::Entry &setting : entry.value.entries())
-    {
-        const bool known = parameters.find(setting.key) != nullptr;
-        if (known && !setting.value.isScalar())
-            throw PlanError(setting.value.isList() || setting.value.isMap() ? setting.value.where()
-                                                                            : setting.where,
-                            "parameter '" + setting.key + "' takes one value");
-        try
-        {
-            parameters.set(setting.key, known ? setting.value.text() : "");
-        }
-        catch (const ParamError &error)
-        {
-            throw PlanError(known ? setting.value.where() : setting.where, error.complaint());
-        }
-        configured.settings.emplace_back(setting.key, setting.value.text());
-    }
-}
-
-/// A planner or optimizer of the plan: a name, or {planner: name, name: …, set: {…}}.
-template <class T>
-Configured readConfigured(const Config &node, const std::string &role, const Registry<T> &registry)
-{
-    Configured configured;
-    SourceLocation where = node.where();
-    const Config::Entry *settings = nullptr;
-    if (node.isMap())
-    {
-        checkKeys(node, "a " + role + " of the plan", {role, "name", "set"});
-        for (const Config::Entry &entry : node.entries())
-            if (entry.key == role)
-            {
-                configured.kind = textOf(entry);
-                where = entry.value.where();
-            }
-            else if (entry.key == "name")
-                configured.name = textOf(entry);
-            else
-                settings = &entry;
-        if (configured.kind.empty())
-            throw PlanError(node.where(),
-                            "this entry does not say which " + role + " it is; give '" + role + ": NAME'");
-    }
-    else if (node.isScalar())
-        configured.kind = node.text();
-    else
-        throw PlanError(node.where(),
-                        "a " + role + " is a name or {" + role + ": NAME, name: TITLE, set: {…}}");
-
-    if (registry.find(configured.kind) == nullptr)
-        throw PlanError(where, "there is no " + role + " '" + configured.kind + "'" +
-                                   suggestion(configured.kind, registry.names()));
-    if (configured.name.empty())
-        configured.name = configured.kind;
-    if (settings != nullptr)
-        readSettings(*settings, registry.create(configured.kind)->parameters(), configured);
-    return configured;
-}
-
-std::vector<Configured> readPlanners(const Config::Entry &entry, const Catalog &catalog)
-{
-    std::vector<Configured> planners;
-    for (const Config &node : itemsOf(entry, "planners' names"))
-    {
-        if (node.isMap() && node.find("command") != nullptr)
-            throw PlanError(node.where(), "'command' planners (outside programs) are not supported by this "
-                                          "version; name a planner of `mrppsim list planners`");
-        Configured planner = readConfigured(node, "planner", catalog.planners);
-        for (const Configured &other : planners)
-            if (other.name == planner.name)
-                throw PlanError(node.where(), "two planners are named '" + planner.name +
-                                                  "'; give one of them another name: {planner: " +
-                                                  planner.kind + ", name: TITLE}");
-        planners.push_back(std::move(planner));
-    }
-    return planners;
-}
-
-std::vector<Configured> readOptimizers(const Config::Entry &entry, const Catalog &catalog)
-{
-    std::vector<Configured> optimizers;
-    for (const Config &node : itemsOf(entry, "optimizers' names, or leave the key out"))
-        optimizers.push_back(readConfigured(node, "optimizer", catalog.optimizers));
-    return optimizers;
 }
 
 /// Reports by name, and charts. Where charts are asked for and `charts` is not, there are no others.
@@ -388,7 +253,7 @@ BenchmarkPlan parsePlan(const std::string &text, const std::filesystem::path &fi
         else if (entry.key == "problems")
             plan.points = readProblems(itemsOf(entry, "problems, as in 'small_benchmark: tree'"), context);
         else if (entry.key == "planners")
-            plan.planners = readPlanners(entry, catalog);
+            plan.planners = readPlanners(entry, catalog, file.parent_path());
         else if (entry.key == "optimizers")
             plan.optimizers = readOptimizers(entry, catalog);
         else if (entry.key == "execution")

@@ -83,6 +83,12 @@ private:
     std::map<std::filesystem::path, std::string> known_;
 };
 
+/// The key of a run by an outside program also depends on the files that its command names.
+std::string withFiles(const std::string &key, const std::optional<std::string> &files)
+{
+    return files ? Fingerprint().add(key).add(*files).hex() : std::string();
+}
+
 } // namespace
 
 std::vector<PointIdentity> identifyPoints(const BenchmarkPlan &plan, MissingInput missing)
@@ -99,6 +105,10 @@ std::vector<RunSpec> expand(const BenchmarkPlan &plan, MissingInput missing)
 {
     const std::vector<PointIdentity> points = identifyPoints(plan, missing);
     RunKeys keys(plan);
+    InputHashes hashes;
+    std::vector<std::optional<std::string>> commandFiles; // of each planner
+    for (const Configured &planner : plan.planners)
+        commandFiles.push_back(planner.command ? hashes.of(filesOf(*planner.command), missing) : std::nullopt);
     std::vector<RunSpec> specs;
     specs.reserve(plan.points.size() * static_cast<std::size_t>(plan.repetitions) * plan.planners.size());
     for (std::size_t p = 0; p < plan.points.size(); ++p)
@@ -121,6 +131,8 @@ std::vector<RunSpec> expand(const BenchmarkPlan &plan, MissingInput missing)
             {
                 if (inputs)
                     keys.set(spec);
+                if (inputs && plan.planners[spec.planner].command)
+                    spec.runKey = withFiles(spec.runKey, commandFiles[spec.planner]);
                 specs.push_back(spec);
             }
         }

@@ -5,6 +5,7 @@
 
 #include "framework/Planner.h"
 #include "framework/Problem.h"
+#include "framework/campaign/OutsideCommand.h"
 #include "framework/campaign/RunRecord.h"
 #include "framework/model/MotionRule.h"
 
@@ -31,13 +32,15 @@ struct Limits
 /// A name and its settings: a planner or an optimizer of a plan.
 struct Configured
 {
-    std::string kind;                                          ///< registered name
+    std::string kind;                                          ///< registered name; "command"
     std::string name;                                          ///< in results and figures; unique in the plan
     std::vector<std::pair<std::string, std::string>> settings; ///< parameter, value
 
     /// Every parameter with its value, defaults included, and the algorithm's version under kVersionSetting:
     /// what the program would run. See resolve().
     std::vector<std::pair<std::string, std::string>> effective = {};
+
+    std::shared_ptr<const OutsideCommand> command = {}; ///< of an outside planner; else null
 };
 
 /// No parameter has such a name.

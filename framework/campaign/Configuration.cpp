@@ -1,5 +1,7 @@
 #include "framework/campaign/Configuration.h"
 
+#include "framework/campaign/PlannerFactory.h"
+
 namespace mrpp
 {
 
@@ -22,7 +24,7 @@ void resolve(BenchmarkPlan &plan, const Catalog &catalog)
 {
     for (Configured &planner : plan.planners)
     {
-        const auto object = create(catalog.planners, planner);
+        const auto object = createPlanner(catalog, planner);
         planner.effective = effectiveSettings(object->parameters(), object->specs().version);
     }
     for (Configured &optimizer : plan.optimizers)

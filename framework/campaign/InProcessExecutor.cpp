@@ -1,5 +1,6 @@
 #include "framework/campaign/InProcessExecutor.h"
 
+#include "framework/campaign/PlannerFactory.h"
 #include "framework/support/Error.h"
 
 namespace mrpp
@@ -49,7 +50,7 @@ RunResult InProcessExecutor::execute(const RunSpec &spec, const std::stop_token 
 
     const auto makePlanner = [&]
     {
-        auto planner = create(catalog_.planners, plan_.planners[spec.planner]);
+        auto planner = createPlanner(catalog_, plan_.planners[spec.planner]);
         planner->setSeed(spec.plannerSeed);
         if (preRun_)
             preRun_(*planner, spec);
@@ -69,6 +70,10 @@ RunResult InProcessExecutor::execute(const RunSpec &spec, const std::stop_token 
     fillIdentity(result.record, plan_, spec);
     result.record.limitMeans =
         settings.ownProcess ? "time asked, cpu asked, memory afterwards" : "time asked";
+    if (!result.record.solutionFingerprint.empty())
+        for (const AddedMetric &metric : catalog_.metrics)
+            if (const auto value = metric.measure(*result.instance, result.solution))
+                result.record.extra[metric.name] = *value;
     return result;
 }
 

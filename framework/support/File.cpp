@@ -14,6 +14,23 @@
 namespace mrpp
 {
 
+namespace
+{
+
+/// Devices, pipes, and names for what is open already (/dev/stdout): they are written to and never replaced.
+bool isWrittenInPlace(const std::filesystem::path &path)
+{
+    using enum std::filesystem::file_type;
+    std::error_code error;
+    const auto type = std::filesystem::status(path, error).type();
+    if (type == character || type == block || type == fifo || type == socket)
+        return true;
+    const std::string target = std::filesystem::read_symlink(path, error).string();
+    return target.starts_with("/proc/") || target.starts_with("/dev/");
+}
+
+} // namespace
+
 std::string readFile(const std::filesystem::path &path)
 {
     std::error_code error;
@@ -43,6 +60,13 @@ FileWriter::FileWriter(std::filesystem::path path) : path_(std::move(path))
     std::error_code error;
     if (std::filesystem::is_directory(path_, error))
         throw FileError({path_.string()}, "cannot be written: it is a folder");
+    if (isWrittenInPlace(path_))
+    {
+        file_ = ::open(path_.c_str(), O_WRONLY | O_CLOEXEC);
+        if (file_ < 0)
+            fail("open");
+        return;
+    }
     if (path_.has_parent_path())
         std::filesystem::create_directories(path_.parent_path(), error);
     std::string name = path_.string() + ".XXXXXX";
@@ -78,8 +102,8 @@ void FileWriter::finish()
     if (file_ < 0)
         return;
     constexpr mode_t kReadableByAll = 0644;
-    ::fchmod(file_, kReadableByAll);
-    const bool flushed = ::fsync(file_) == 0;
+    const bool inPlace = temporary_.empty();
+    const bool flushed = inPlace || (::fchmod(file_, kReadableByAll) == 0 && ::fsync(file_) == 0);
     const bool closed = ::close(std::exchange(file_, -1)) == 0;
     if (!flushed || !closed)
         fail("flush");
@@ -88,6 +112,8 @@ void FileWriter::finish()
 void FileWriter::commit()
 {
     finish();
+    if (temporary_.empty())
+        return;
     if (::rename(temporary_.c_str(), path_.c_str()) != 0)
         fail("rename");
     temporary_.clear();

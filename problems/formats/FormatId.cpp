@@ -135,6 +135,54 @@ FormatId formatOf(const std::filesystem::path &file, std::string_view text)
     return extension == ".instance" ? FormatId::instanceText : FormatId::unknown;
 }
 
+std::string_view nameOf(FormatId format)
+{
+    switch (format)
+    {
+    case FormatId::graphMl:
+        return "graphml";
+    case FormatId::movingAiMap:
+        return "movingai_map";
+    case FormatId::dimacs:
+        return "dimacs";
+    case FormatId::edgeList:
+        return "edge_list";
+    case FormatId::instanceText:
+        return "instance";
+    case FormatId::scenario:
+        return "movingai_scenario";
+    case FormatId::cpf:
+        return "cpf";
+    case FormatId::kei18Instance:
+        return "kei18_instance";
+    case FormatId::libMrpInstance:
+        return "libmrp_instance";
+    case FormatId::solutionCsv:
+        return "solution";
+    case FormatId::surynekSolution:
+        return "surynek_solution";
+    case FormatId::kei18Result:
+        return "kei18_result";
+    case FormatId::libMrpSchedule:
+        return "libmrp_schedule";
+    case FormatId::paths:
+        return "paths";
+    case FormatId::trackerCsv:
+        return "tracker_csv";
+    case FormatId::trackerJson:
+        return "tracker_json";
+    case FormatId::graphRec:
+        return "graphrec";
+    case FormatId::graphRecXml:
+        return "graphrec_xml";
+    case FormatId::planViz:
+        return "planviz";
+    case FormatId::unknown:
+        break;
+    }
+    return {};
+}
+
 bool holdsGraph(FormatId format)
 {
     switch (format)

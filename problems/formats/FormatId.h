@@ -35,6 +35,9 @@ enum class FormatId
 /// By what is in the file; by its extension where that says nothing.
 [[nodiscard]] FormatId formatOf(const std::filesystem::path &file, std::string_view text);
 
+/// As in fileFormats(); empty for an unknown one.
+[[nodiscard]] std::string_view nameOf(FormatId format);
+
 /// What can be read out of such a file.
 [[nodiscard]] bool holdsGraph(FormatId format);
 [[nodiscard]] bool holdsInstance(FormatId format);

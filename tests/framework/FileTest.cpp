@@ -6,8 +6,11 @@
 
 #include <csignal>
 #include <cstdlib>
+#include <fcntl.h>
 #include <filesystem>
 #include <sys/resource.h>
+#include <sys/stat.h>
+#include <thread>
 #include <unistd.h>
 #include <vector>
 
@@ -98,6 +101,32 @@ TEST_F(File, DoesNotReplaceAFolder)
     EXPECT_EQ(filesInFolder(), 1U);
 }
 
+TEST_F(File, APipeIsWrittenToAndStaysAPipe)
+{
+    const auto pipe = folder_ / "pipe";
+    ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+    std::string received;
+    {
+        const std::jthread reader([&] { received = readFile(pipe); });
+        writeFile(pipe, "through the pipe");
+    }
+    EXPECT_EQ(received, "through the pipe");
+    EXPECT_TRUE(std::filesystem::is_fifo(pipe));
+    EXPECT_EQ(filesInFolder(), 1U);
+}
+
+TEST_F(File, ANameForWhatIsOpenIsWrittenToAndStaysThatName)
+{
+    const int open = ::open((folder_ / "file").c_str(), O_WRONLY | O_CREAT, 0600);
+    ASSERT_GE(open, 0);
+    const std::string name = "/proc/self/fd/" + std::to_string(open);
+    std::filesystem::create_symlink(name, folder_ / "link");
+    writeFile(folder_ / "link", "as /dev/stdout");
+    ::close(open);
+    EXPECT_EQ(readFile(folder_ / "file"), "as /dev/stdout");
+    EXPECT_TRUE(std::filesystem::is_symlink(folder_ / "link"));
+}
+
 TEST_F(File, IsNotWrittenIntoAFolderThatForbidsIt)
 {
     if (::geteuid() == 0)
@@ -156,7 +185,7 @@ TEST_F(File, PiecesAreOneFileOnceCommitted)
     EXPECT_EQ(readFile(folder_ / "x"), "old");
     writer.commit();
     EXPECT_EQ(readFile(folder_ / "x"), "one, two");
-    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_), {}), 1);
+    EXPECT_EQ(filesInFolder(), 1U);
 }
 
 TEST_F(File, ASetOfFilesIsWrittenAsAWholeOrNotAtAll)

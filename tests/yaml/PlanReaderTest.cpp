@@ -234,14 +234,83 @@ INSTANTIATE_TEST_SUITE_P(
                 "there is no parameter 'pase'; did you mean 'pace'?"},
         BadPlan{"planners: [{planner: walker, set: {pace: 11}}]", "1:42",
                 "parameter 'pace' must lie in 1:10"},
-        BadPlan{"planners: [{planner: walker, set: {pace: [1, 2]}}]", "1:42",
+        BadPlan{"planners: [{planner: walker, set: {pace: [[1], 2]}}]", "1:43",
                 "parameter 'pace' takes one value"},
+        BadPlan{"planners: [{planner: walker, set: {pace: [1, 11]}}]", "1:46",
+                "parameter 'pace' must lie in 1:10"},
+        BadPlan{"planners: [{planner: walker, set: {pace: []}}]", "1:42", "'pace' is an empty list"},
+        BadPlan{"planners: [{planner: walker, set: {pace: {from: 1}}}]", "1:42",
+                "a range is {from, to, step}"},
+        BadPlan{"planners: [{planner: walker, set: {pace: [1, 1]}}]", "1:12",
+                "two planners are named 'walker pace=1'"},
         BadPlan{"planners: [{planner: walker, set: {pace: }}]", "1:36", "parameter 'pace' takes one value"},
         BadPlan{"planners: [{planner: walker, set: pace}]", "1:35", "'set' takes a map"},
         BadPlan{"planners: [{planner: walker, name: }]", "1:30", "'name' takes one value"},
         BadPlan{"planners: [[walker]]", "1:12", "a planner is a name or"},
-        BadPlan{"planners: [{command: lacam3, name: L}]", "1:12",
-                "'command' planners (outside programs) are not supported"}));
+        BadPlan{"planners: [walker]\noptimizers: [{optimizer: shorten, set: {rounds: [1, 2]}}]", "2:14",
+                "an optimizer has one value for each parameter"}));
+
+INSTANTIATE_TEST_SUITE_P(
+    commands, PlanReaderRefuses,
+    ::testing::Values(
+        BadPlan{"planners: [{command: lacam3, name: L}]", "1:22", "the command is not told its instance"},
+        BadPlan{"planners: [{command: 'x {instance}', format: kai18}]", "1:46",
+                "there is no format 'kai18' for this"},
+        BadPlan{"planners: [{command: 'x {instance}', format: instance}]", "1:46",
+                "there is no format 'instance' for this"},
+        BadPlan{"planners: [{command: 'x {instance}', comand: y}]", "1:38",
+                "unknown key 'comand' in a command of the plan; did you mean 'command'?"},
+        BadPlan{"planners: [{command: 'x {instance} {time_limt}'}]", "1:22",
+                "nothing fills the place {time_limt}; did you mean 'time_limit'?"},
+        BadPlan{"planners: [{command: 'x {instance} {wieght}', set: {weight: 1}}]", "1:53",
+                "the command has no place {weight}; did you mean 'wieght'?"},
+        BadPlan{"planners: [{command: 'x {instance} {w}'}]", "1:22", "nothing fills the place {w}"},
+        BadPlan{"planners: [{command: 'x {instance}', set: {seed: 1}}]", "1:44",
+                "'seed' is no parameter of a command"},
+        BadPlan{"planners: [{command: 'x {instance} {w}', set: {w: [1, [2]]}}]", "1:55",
+                "parameter 'w' takes one value"},
+        BadPlan{"planners: [{command: \"x 'y {instance}\"}]", "1:22", "this is no command: a quote ' is not"},
+        BadPlan{"planners: [{command: ' '}]", "1:22", "this is no command: there is no program in it"},
+        BadPlan{"planners: [{command: 'x {instance}', motion: rotaton}]", "1:46",
+                "there is no motion rule 'rotaton'; did you mean 'rotation'?"},
+        BadPlan{"planners: [{command: 'x {instance}', exit_codes: {0: solved}}]", "1:51",
+                "an exit code is a number from 1 to 255"},
+        BadPlan{"planners: [{command: 'x {instance}', exit_codes: {1: gaveup}}]", "1:54",
+                "an exit code cannot mean 'gaveup'; did you mean 'gave_up'?"},
+        BadPlan{"planners: [{command: 'x {instance}'}, {command: 'x {scen}'}]", "1:39",
+                "two planners are named 'x'"}));
+
+TEST(PlanReader, commandsAreWordsWithPlaces)
+{
+    const auto planners = plan(R"(problems: [puzzle]
+planners:
+  - {command: "./a\\ b 'c {d e}' {{f}} --w={w} {instance} ''", format: kei18, motion: following, set: {w: 1.5}}
+)")
+                              .planners;
+    ASSERT_EQ(planners.size(), 1U);
+    EXPECT_EQ(planners[0].name, "a b");
+    ASSERT_TRUE(planners[0].command);
+    const OutsideCommand &command = *planners[0].command;
+    EXPECT_THAT(command.words, ElementsAre("./a b", "c {d e}", "{{f}}", "--w={w}", "{instance}", ""));
+    EXPECT_EQ(command.answerFormat, "kei18_result");
+    EXPECT_EQ(command.motion, MotionRule::following);
+    EXPECT_THAT(placesIn(command.words), ElementsAre("w", "instance"));
+    EXPECT_EQ(fillPlaces("{{f}}{w}}", [](const std::string &name) { return "<" + name + ">"; }), "{f}<w>}");
+}
+
+TEST(PlanReader, aSweptSettingMakesPlannersOfItsOwn)
+{
+    const auto planners = plan("problems: [puzzle]\nplanners: [{planner: walker, name: w, set: {order: "
+                               "near_first, pace: [1, 3]}}, "
+                               "{command: 'x {instance} {a}', set: {a: {from: 2, to: 6, step: 2}}}]")
+                              .planners;
+    ASSERT_EQ(planners.size(), 5U);
+    EXPECT_EQ(planners[0].name, "w pace=1");
+    EXPECT_EQ(planners[1].name, "w pace=3");
+    EXPECT_EQ(planners[1].settings.at(1).second, "3");
+    EXPECT_EQ(planners[3].name, "x a=4");
+    EXPECT_EQ(planners[3].settings.back().second, "4");
+}
 
 class PlanReaderRefusesLine : public PlanReaderRefuses
 {};

@@ -142,6 +142,10 @@ Catalog makeCatalog()
     catalog.optimizers.add<Shorten>("shorten", "shortens");
     catalog.reports.add<Silence>("csv", "tables");
     catalog.reports.add<Silence>("charts", "figures");
+    catalog.formats = {{"graphml", ".graphml", "graph", true, true, ""},
+                       {"instance", ".instance", "instance", true, true, ""},
+                       {"solution", ".csv", "solution", true, true, ""},
+                       {"kei18_result", ".txt", "solution", true, true, ""}};
     return catalog;
 }
 

@@ -1,0 +1,50 @@
+#pragma once
+/// \file
+/// An outside program as a planner: gets the instance as files, answers with a file, and is checked like all
+/// others.
+
+#include "framework/FileExchange.h"
+#include "framework/Planner.h"
+#include "framework/campaign/OutsideCommand.h"
+#include "framework/support/TemporaryFolder.h"
+
+#include <map>
+#include <memory>
+#include <string>
+
+namespace mrpp
+{
+
+/// Every place of the command that the program does not fill itself is a parameter (text). So is what else
+/// the plan says of the command (commandProperties()), for the records: setting it changes nothing.
+///
+/// setup() writes the files that the command names; solve() runs it and reads its answer:
+///  * exit code 0 and an answer: `solved`, until the validator says otherwise;
+///  * 0 and no answer, or one that says that there is none: `gave_up`;
+///  * 0 and an answer that cannot be read, or has impossible moves: `invalid`;
+///  * another exit code: what the command says that it means, else `crash`, as for a signal;
+///  * out of time: it may go on for half a second, then its process group is killed.
+/// An instance that the wanted format cannot hold is `unsupported`.
+class CommandPlanner final : public Planner
+{
+public:
+    CommandPlanner(OutsideCommand command, std::shared_ptr<const FileExchange> files);
+
+    void setup() override;
+    PlannerStatus solve(const TerminationCondition &ptc) override;
+    void clear() override;
+
+private:
+    [[nodiscard]] bool uses(const std::string &place) const;
+    [[nodiscard]] std::string valueOf(const std::string &place, const TerminationCondition &ptc) const;
+    [[nodiscard]] std::filesystem::path fileOf(const std::string &place) const;
+    PlannerStatus readAnswer();
+
+    OutsideCommand command_;
+    std::shared_ptr<const FileExchange> files_;
+    std::map<std::string, std::string> values_; ///< of its parameters
+    std::unique_ptr<TemporaryFolder> folder_;
+    std::string refusal_; ///< why the instance cannot be written
+};
+
+} // namespace mrpp
