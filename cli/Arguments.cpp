@@ -399,6 +399,9 @@ Arguments parseArguments(int count, const char *const *words, const Catalog &cat
   mrppsim solve --instance theta.instance --planner push_and_swap
   mrppsim list planners
 
+Every command takes --plugin FILE.so, several times if need be: a library with planners, problems, optimizers,
+metrics or reports of your own.
+
 Exit codes: 0 yes or done; 1 a truthful no; 2 wrong use or malformed input; 3 a defect of the program;
 130 interrupted.)");
     app.set_version_flag("--version", std::string("mrppsim ") + MRPP_VERSION);

@@ -26,7 +26,7 @@ namespace mrpp
 [[nodiscard]] ExitCode list(const ListArguments &arguments, const Catalog &catalog);
 /// What `run` starts for isolation `process`; not for people.
 [[nodiscard]] ExitCode worker(const Catalog &catalog);
-/// How a campaign starts one.
-[[nodiscard]] std::vector<std::string> workerCommand();
+/// How a campaign starts one, with the same plugins.
+[[nodiscard]] std::vector<std::string> workerCommand(const Catalog &catalog);
 
 } // namespace mrpp

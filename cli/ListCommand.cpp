@@ -70,7 +70,7 @@ Json problems(const Catalog &catalog)
                   });
 }
 
-Json metricsJson()
+Json metricsJson(const Catalog &catalog)
 {
     Json list = Json::array();
     for (const Metric &metric : metrics())
@@ -79,6 +79,12 @@ Json metricsJson()
                         {"title", std::string(metric.title)},
                         {"unit", std::string(metric.unit)},
                         {"better", metric.better == Metric::Better::lower ? "lower" : "higher"}});
+    for (const AddedMetric &metric : catalog.metrics)
+        list.push_back({{"name", metric.name},
+                        {"description", metric.description},
+                        {"title", metric.title},
+                        {"unit", metric.unit},
+                        {"better", metric.higherIsBetter ? "higher" : "lower"}});
     return list;
 }
 
@@ -149,7 +155,7 @@ Json collect(const std::string &what, const Catalog &catalog)
     if (what == "reports")
         return toJson(catalog.reports, [](Json &, const Report &) {});
     if (what == "metrics")
-        return metricsJson();
+        return metricsJson(catalog);
     return formats(catalog);
 }
 

@@ -58,7 +58,7 @@ RunResult runAgain(const ReplayArguments &arguments, const BenchmarkPlan &plan, 
                    const Catalog &catalog, const std::stop_token &stop)
 {
     if (!arguments.inProcess && plan.execution.isolation == "process")
-        return WorkerExecutor(workerCommand(), plan, catalog, 1, true).execute(spec, stop);
+        return WorkerExecutor(workerCommand(catalog), plan, catalog, 1, true).execute(spec, stop);
     return InProcessExecutor(plan, catalog, 1).execute(spec, stop);
 }
 

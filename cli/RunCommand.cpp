@@ -134,7 +134,7 @@ void sayResult(const Benchmark::Summary &summary)
 
 /// Runs what is left, until it is done or the user interrupts.
 Benchmark::Summary runCampaign(Benchmark &benchmark, const RunArguments &arguments,
-                               const std::filesystem::path &folder)
+                               const std::filesystem::path &folder, const Catalog &catalog)
 {
     const Interruption interruption;
     ProgressLine line(std::cerr, arguments.quiet ? ProgressLine::Mode::quiet : ProgressLine::detect());
@@ -143,7 +143,7 @@ Benchmark::Summary runCampaign(Benchmark &benchmark, const RunArguments &argumen
     request.folder = folder;
     request.jobs = arguments.jobs;
     if (benchmark.plan().execution.isolation == "process")
-        request.worker = workerCommand();
+        request.worker = workerCommand(catalog);
     request.shard = arguments.shard;
     request.shards = arguments.shards;
     request.onFinished = [&kept](const RunSpec &spec, const RunResult &result) { kept.write(spec, result); };
@@ -166,7 +166,7 @@ ExitCode run(const RunArguments &arguments, const Catalog &catalog)
 
     const std::string caveats = warnings(arguments.jobs.value_or(plan.execution.jobs));
     Benchmark benchmark(std::move(plan), catalog);
-    const Benchmark::Summary summary = runCampaign(benchmark, arguments, folder);
+    const Benchmark::Summary summary = runCampaign(benchmark, arguments, folder, catalog);
     if (summary.finished > 0)
         std::cerr << caveats << warnings(summary);
     if (summary.interrupted)

@@ -16,9 +16,13 @@ ExitCode worker(const Catalog &catalog)
     return code == 0 ? ExitCode::done : ExitCode::wrongUse;
 }
 
-std::vector<std::string> workerCommand()
+std::vector<std::string> workerCommand(const Catalog &catalog)
 {
-    return {"/proc/self/exe", "worker"}; // this very program, even if its file is replaced
+    std::vector<std::string> words = {"/proc/self/exe",
+                                      "worker"}; // this very program, even if its file is replaced
+    for (const std::filesystem::path &plugin : catalog.plugins)
+        words.insert(words.end(), {"--plugin", plugin.string()});
+    return words;
 }
 
 } // namespace mrpp

@@ -2,6 +2,7 @@
 #include "cli/Arguments.h"
 #include "cli/Commands.h"
 #include "cli/OneLine.h"
+#include "cli/Plugins.h"
 #include "framework/Catalog.h"
 #include "framework/support/Error.h"
 #include "problems/Problems.h"
@@ -45,7 +46,9 @@ ExitCode dispatch(int count, const char *const *words)
         registerAlgorithms(catalog);
         registerProblems(catalog);
         registerReports(catalog);
-        return std::visit(Dispatch{catalog}, parseArguments(count, words, catalog));
+        const std::vector<const char *> rest = takePlugins(count, words, catalog);
+        return std::visit(Dispatch{catalog},
+                          parseArguments(static_cast<int>(rest.size()), rest.data(), catalog));
     }
     catch (const InputError &error)
     {

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// A new empty folder in the system's place for such, which is gone with the object.
+/// A folder of one's own that disappears with the object.
 
 #include "framework/support/Error.h"
 
@@ -16,18 +16,22 @@ namespace mrpp
 class TemporaryFolder
 {
 public:
-    /// Throws FileError.
+    /// Throws FileError where none can be made.
     TemporaryFolder()
     {
-        std::string name = (std::filesystem::temp_directory_path() / "mrppsim.XXXXXX").string();
+        std::error_code error;
+        std::filesystem::path parent = std::filesystem::temp_directory_path(error);
+        if (error)
+            parent = "/tmp";
+        std::string name = (parent / "mrppsim-XXXXXX").string();
         if (::mkdtemp(name.data()) == nullptr)
-            throw FileError({name}, std::string("no temporary folder can be made: ") + std::strerror(errno));
+            throw FileError({name}, std::string("cannot make a temporary folder: ") + std::strerror(errno));
         path_ = name;
     }
     ~TemporaryFolder()
     {
-        std::error_code error;
-        std::filesystem::remove_all(path_, error);
+        std::error_code ignored;
+        std::filesystem::remove_all(path_, ignored);
     }
     TemporaryFolder(const TemporaryFolder &) = delete;
     TemporaryFolder &operator=(const TemporaryFolder &) = delete;
