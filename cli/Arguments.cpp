@@ -410,6 +410,7 @@ Exit codes: 0 yes or done; 1 a truthful no; 2 wrong use or malformed input; 3 a 
     addReport(app, result);
     addMerge(app, result);
     addReplay(app, result);
+    addSlurm(app, result);
     addSolve(app, result);
     addCheck(app, result);
     addValidate(app, result);

@@ -54,6 +54,21 @@ struct ReplayArguments
     std::optional<std::filesystem::path> json;
 };
 
+struct SlurmArguments
+{
+    std::filesystem::path plan;
+    std::filesystem::path folder;
+    std::vector<std::filesystem::path> maps;
+    std::int64_t shards = 1;
+    std::optional<std::int64_t> jobs; ///< the plan's where not given
+    std::optional<std::string> partition;
+    std::optional<std::string> account;
+    std::optional<std::string> time; ///< from the plan's limits where not given
+    std::optional<std::int64_t> atOnce;
+    std::vector<std::string> lines; ///< further options of sbatch
+    bool submit = false;
+};
+
 struct SolveArguments
 {
     std::optional<std::filesystem::path> graph;
@@ -139,9 +154,10 @@ struct Answered
     ExitCode code = ExitCode::done;
 };
 
-using Arguments = std::variant<Answered, RunArguments, ReportArguments, MergeArguments, ReplayArguments,
-                               SolveArguments, CheckArguments, ValidateArguments, ViewArguments,
-                               ConvertArguments, GenerateArguments, ListArguments, WorkerArguments>;
+using Arguments =
+    std::variant<Answered, RunArguments, ReportArguments, MergeArguments, ReplayArguments, SlurmArguments,
+                 SolveArguments, CheckArguments, ValidateArguments, ViewArguments, ConvertArguments,
+                 GenerateArguments, ListArguments, WorkerArguments>;
 
 /// Prints help to the standard output, complaints to the standard error.
 /// \param catalog whose generators have an option for each of their parameters

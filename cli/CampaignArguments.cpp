@@ -47,4 +47,44 @@ Examples:
     command->callback([arguments, &result] { result = *arguments; });
 }
 
+void addSlurm(CLI::App &app, Arguments &result)
+{
+    CLI::App *command = app.add_subcommand("slurm", "Write the jobs by which a Slurm cluster runs a plan");
+    command->footer(
+        R"(Writes DIR/array.sh (the parts), DIR/merge.sh (merges them in DIR/results and writes the reports) and
+DIR/submit.sh. Plan, maps, program and DIR must be in folders that all nodes see.
+
+Examples:
+  mrppsim slurm plan.yaml -o big --shards 100
+  mrppsim slurm plan.yaml -o big --shards 100 --partition long --account me --line=--qos=high --submit)");
+    const auto arguments = std::make_shared<SlurmArguments>();
+    command->add_option("PLAN", arguments->plan, "The plan, a YAML file")->required();
+    command->add_option("-o,--output", arguments->folder, "Where everything goes")
+        ->required()
+        ->type_name("DIR");
+    command->add_option("--shards", arguments->shards, "How many parts the campaign has")
+        ->required()
+        ->type_name("N")
+        ->check(wholeNumberFrom(1));
+    command
+        ->add_option("--maps", arguments->maps, "Where the plan's maps and scenarios are looked for besides")
+        ->type_name("DIR")
+        ->allow_extra_args(false);
+    optional(*command, "--jobs", arguments->jobs, "Runs at once in a part, a core each [the plan's]")
+        ->type_name("N")
+        ->check(wholeNumberFrom(1));
+    optional(*command, "--at-once", arguments->atOnce, "Parts at once [as many as Slurm gives]")
+        ->type_name("N")
+        ->check(wholeNumberFrom(1));
+    optional(*command, "--time", arguments->time, "Of a part, as Slurm writes it [from the plan's limits]")
+        ->type_name("TIME");
+    optional(*command, "--partition", arguments->partition, "Slurm's partition")->type_name("NAME");
+    optional(*command, "--account", arguments->account, "Slurm's account")->type_name("NAME");
+    command->add_option("--line", arguments->lines, "A further option of sbatch; may stand several times")
+        ->type_name("OPTION")
+        ->allow_extra_args(false);
+    command->add_flag("--submit", arguments->submit, "Submit the jobs, too");
+    command->callback([arguments, &result] { result = *arguments; });
+}
+
 } // namespace mrpp

@@ -15,5 +15,6 @@ namespace mrpp
 
 void addMerge(CLI::App &app, Arguments &result);
 void addReplay(CLI::App &app, Arguments &result);
+void addSlurm(CLI::App &app, Arguments &result);
 
 } // namespace mrpp

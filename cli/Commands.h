@@ -17,6 +17,7 @@ namespace mrpp
 [[nodiscard]] ExitCode report(const ReportArguments &arguments, const Catalog &catalog);
 [[nodiscard]] ExitCode merge(const MergeArguments &arguments, const Catalog &catalog);
 [[nodiscard]] ExitCode replay(const ReplayArguments &arguments, const Catalog &catalog);
+[[nodiscard]] ExitCode slurm(const SlurmArguments &arguments, const Catalog &catalog);
 [[nodiscard]] ExitCode solve(const SolveArguments &arguments, const Catalog &catalog);
 [[nodiscard]] ExitCode check(const CheckArguments &arguments);
 [[nodiscard]] ExitCode validate(const ValidateArguments &arguments);

@@ -28,6 +28,7 @@ struct Dispatch
     ExitCode operator()(const ReportArguments &arguments) const { return report(arguments, catalog); }
     ExitCode operator()(const MergeArguments &arguments) const { return merge(arguments, catalog); }
     ExitCode operator()(const ReplayArguments &arguments) const { return replay(arguments, catalog); }
+    ExitCode operator()(const SlurmArguments &arguments) const { return slurm(arguments, catalog); }
     ExitCode operator()(const SolveArguments &arguments) const { return solve(arguments, catalog); }
     ExitCode operator()(const CheckArguments &arguments) const { return check(arguments); }
     ExitCode operator()(const ValidateArguments &arguments) const { return validate(arguments); }

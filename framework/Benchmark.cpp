@@ -5,6 +5,7 @@
 #include "framework/campaign/ResultStore.h"
 #include "framework/campaign/ResultWriter.h"
 #include "framework/campaign/RunQueue.h"
+#include "framework/campaign/Shards.h"
 #include "framework/campaign/WorkerExecutor.h"
 #include "framework/support/Cores.h"
 #include "framework/support/Error.h"
@@ -45,14 +46,6 @@ void checkRequest(const Benchmark::Request &request, std::int64_t jobs)
     if (request.shards < 1 || request.shard < 1 || request.shard > request.shards)
         throw InputError("shard " + std::to_string(request.shard) + "/" + std::to_string(request.shards) +
                          ": a shard i/n needs 1 ≤ i ≤ n");
-}
-
-/// Shards hold whole cases, and a case stays in its shard when the plan around it changes.
-bool isInShard(const BenchmarkPlan &plan, const RunSpec &spec, const Benchmark::Request &request)
-{
-    const ProblemPoint &point = plan.points[spec.point];
-    const Seed hash = deriveSeed(spec.instanceSeed, "shard", point.model, point.settings);
-    return hash % static_cast<Seed>(request.shards) == static_cast<Seed>(request.shard - 1);
 }
 
 /// Everything that can be wrong with the plan's input, found before the first run.
@@ -221,7 +214,8 @@ Benchmark::Summary Benchmark::benchmark(const Request &request, const std::stop_
     checkRequest(request, jobs);
     std::vector<RunSpec> runs = expand(plan_);
     if (request.shards > 1)
-        std::erase_if(runs, [&](const RunSpec &run) { return !isInShard(plan_, run, request); });
+        std::erase_if(runs, [&](const RunSpec &run)
+                      { return shardOf(plan_, run, request.shards) != request.shard; });
     checkInputs(plan_, runs);
 
     ResultStore store(request.folder, ResultStore::Access::write);

@@ -108,7 +108,8 @@ std::vector<RunSpec> expand(const BenchmarkPlan &plan, MissingInput missing)
     InputHashes hashes;
     std::vector<std::optional<std::string>> commandFiles; // of each planner
     for (const Configured &planner : plan.planners)
-        commandFiles.push_back(planner.command ? hashes.of(filesOf(*planner.command), missing) : std::nullopt);
+        commandFiles.push_back(planner.command ? hashes.of(filesOf(*planner.command), missing)
+                                               : std::nullopt);
     std::vector<RunSpec> specs;
     specs.reserve(plan.points.size() * static_cast<std::size_t>(plan.repetitions) * plan.planners.size());
     for (std::size_t p = 0; p < plan.points.size(); ++p)

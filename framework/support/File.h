@@ -15,8 +15,7 @@ namespace mrpp
 /// The file's bytes. Throws FileError where it cannot be read or is a folder.
 [[nodiscard]] std::string readFile(const std::filesystem::path &path);
 
-/// Replaces the file as a whole or not at all; makes its folder where that is missing. A device, a pipe, or a
-/// name for what is open already (/dev/stdout) is written to and stays what it is. Throws FileError.
+/// Replaces the file as a whole or not at all; makes its folder where that is missing. Throws FileError.
 void writeFile(const std::filesystem::path &path, std::string_view contents);
 
 /// The same for contents that come piece by piece and need not fit into the memory.
@@ -50,7 +49,7 @@ private:
     [[noreturn]] void fail(const char *step) const;
 
     std::filesystem::path path_;
-    std::string temporary_; ///< empty once it is gone, and where the target is written in place
+    std::string temporary_; ///< empty once it is gone
     int file_ = -1;
 };
 
