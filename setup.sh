@@ -5,7 +5,7 @@ set -euo pipefail
 packages=(
     g++ cmake ninja-build ccache pkg-config git
     libboost-graph-dev libboost-iostreams-dev libboost-filesystem-dev libboost-system-dev libcgal-dev
-    libgraphviz-dev graphviz gnuplot-nox libgnuplot-iostream-dev
+    graphviz gnuplot-nox libgnuplot-iostream-dev
     libpugixml-dev libyaml-cpp-dev libsqlite3-dev libcairo2-dev libpango1.0-dev libqpdf-dev zlib1g-dev
     libcli11-dev nlohmann-json3-dev libfmt-dev libssl-dev fonts-dejavu-core
     libgtest-dev libgmock-dev libbenchmark-dev librapidcheck-dev qpdf poppler-utils sqlite3 doxygen python3

@@ -409,6 +409,7 @@ Exit codes: 0 yes or done; 1 a truthful no; 2 wrong use or malformed input; 3 a 
     addRun(app, result);
     addReport(app, result);
     addMerge(app, result);
+    addCompare(app, result);
     addReplay(app, result);
     addSlurm(app, result);
     addSolve(app, result);

@@ -43,6 +43,15 @@ struct MergeArguments
     std::vector<std::filesystem::path> folders;
 };
 
+struct CompareArguments
+{
+    std::filesystem::path first;
+    std::filesystem::path second;
+    double timeTolerance = 0.1; ///< ratio of median times, minus one
+    double flappingFrom = 0.5;  ///< share of the time limit
+    std::optional<std::filesystem::path> out;
+};
+
 struct ReplayArguments
 {
     std::filesystem::path folder;
@@ -155,8 +164,8 @@ struct Answered
 };
 
 using Arguments =
-    std::variant<Answered, RunArguments, ReportArguments, MergeArguments, ReplayArguments, SlurmArguments,
-                 SolveArguments, CheckArguments, ValidateArguments, ViewArguments, ConvertArguments,
+    std::variant<Answered, RunArguments, ReportArguments, MergeArguments, CompareArguments, ReplayArguments,
+                 SlurmArguments, SolveArguments, CheckArguments, ValidateArguments, ViewArguments, ConvertArguments,
                  GenerateArguments, ListArguments, WorkerArguments>;
 
 /// Prints help to the standard output, complaints to the standard error.

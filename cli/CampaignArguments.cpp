@@ -23,6 +23,34 @@ Examples:
     command->callback([arguments, &result] { result = *arguments; });
 }
 
+void addCompare(CLI::App &app, Arguments &result)
+{
+    CLI::App *command = app.add_subcommand("compare", "Tell two campaigns of one plan apart, with tests");
+    command->footer(
+        R"(Pairs the runs of the same planner on the same instance: two versions of the program, two machines,
+two settings under one name. Costs are tested by Wilcoxon's signed-rank test, success by McNemar's,
+all with Holm's correction. Ends with 1 where something became worse beyond chance, or where a wrong
+answer or a crash is new. A timeout that the other campaign only just avoided is no change.
+
+Examples:
+  mrppsim compare results/before results/now
+  mrppsim compare results/before results/now -o results/comparison)");
+    const auto arguments = std::make_shared<CompareArguments>();
+    command->add_option("BEFORE", arguments->first, "A campaign's folder")->required();
+    command->add_option("NOW", arguments->second, "The folder of the other")->required();
+    optional(*command, "-o,--output", arguments->out,
+             "Write comparison.pdf and comparison.csv into this folder");
+    command
+        ->add_option("--time-tolerance", arguments->timeTolerance,
+                     "By which median times may differ before it counts [0.1]")
+        ->check(numberAbove0());
+    command
+        ->add_option("--flapping-from", arguments->flappingFrom,
+                     "Solved runs that took this share of the time limit may as well have timed out [0.5]")
+        ->check(numberAbove0());
+    command->callback([arguments, &result] { result = *arguments; });
+}
+
 void addReplay(CLI::App &app, Arguments &result)
 {
     CLI::App *command = app.add_subcommand("replay", "Run one run of a campaign again, exactly");

@@ -14,6 +14,7 @@ namespace mrpp
 {
 
 void addMerge(CLI::App &app, Arguments &result);
+void addCompare(CLI::App &app, Arguments &result);
 void addReplay(CLI::App &app, Arguments &result);
 void addSlurm(CLI::App &app, Arguments &result);
 

@@ -15,6 +15,7 @@ namespace mrpp
 
 [[nodiscard]] ExitCode run(const RunArguments &arguments, const Catalog &catalog);
 [[nodiscard]] ExitCode report(const ReportArguments &arguments, const Catalog &catalog);
+[[nodiscard]] ExitCode compare(const CompareArguments &arguments, const Catalog &catalog);
 [[nodiscard]] ExitCode merge(const MergeArguments &arguments, const Catalog &catalog);
 [[nodiscard]] ExitCode replay(const ReplayArguments &arguments, const Catalog &catalog);
 [[nodiscard]] ExitCode slurm(const SlurmArguments &arguments, const Catalog &catalog);

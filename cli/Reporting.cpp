@@ -5,6 +5,7 @@
 #include "framework/campaign/ResultStore.h"
 #include "framework/campaign/ResultTable.h"
 #include "framework/campaign/RunPlanner.h"
+#include "framework/support/Error.h"
 #include "framework/support/File.h"
 #include "yaml/PlanReader.h"
 
@@ -50,12 +51,27 @@ std::vector<std::filesystem::path> writeReports(const BenchmarkPlan &plan,
         [&optimizers](const Instance &instance, Solution solution)
         { return improved(instance, std::move(solution), optimizers); });
     std::vector<std::filesystem::path> files;
-    for (const auto &report : reports)
+    std::vector<std::string> complaints; // a report that cannot be written costs no other one
+    for (std::size_t i = 0; i < reports.size(); ++i)
     {
-        auto written = report->write(table, provenance, folder);
-        files.insert(files.end(), written.begin(), written.end());
+        try
+        {
+            auto written = reports[i]->write(table, provenance, folder);
+            files.insert(files.end(), written.begin(), written.end());
+        }
+        catch (const InputError &error)
+        {
+            const std::string complaint = error.what();
+            if (std::find(complaints.begin(), complaints.end(), complaint) == complaints.end())
+                complaints.push_back(complaint);
+        }
     }
-    return files;
+    if (complaints.empty())
+        return files;
+    std::string all;
+    for (const std::string &complaint : complaints)
+        all += (all.empty() ? "" : "; ") + complaint;
+    throw InputError(all + "; all other reports are written");
 }
 
 void sayWhere(const std::vector<std::filesystem::path> &files, const std::filesystem::path &folder)

@@ -26,6 +26,7 @@ struct Dispatch
     ExitCode operator()(const Answered &answered) const { return answered.code; }
     ExitCode operator()(const RunArguments &arguments) const { return run(arguments, catalog); }
     ExitCode operator()(const ReportArguments &arguments) const { return report(arguments, catalog); }
+    ExitCode operator()(const CompareArguments &arguments) const { return compare(arguments, catalog); }
     ExitCode operator()(const MergeArguments &arguments) const { return merge(arguments, catalog); }
     ExitCode operator()(const ReplayArguments &arguments) const { return replay(arguments, catalog); }
     ExitCode operator()(const SlurmArguments &arguments) const { return slurm(arguments, catalog); }

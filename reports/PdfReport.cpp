@@ -1,6 +1,7 @@
 #include "reports/PdfReport.h"
 
 #include "framework/support/File.h"
+#include "reports/Findings.h"
 #include "reports/KeyFacts.h"
 #include "reports/drawing/CampaignFigures.h"
 #include "reports/drawing/CampaignLayouts.h"
@@ -70,9 +71,28 @@ void addTitlePage(PdfPages &pages, const ResultTable &results, const Provenance 
     pages.section("In short");
     for (const std::string &fact : keyFacts(results))
         pages.paragraph(fact);
-    const SummaryTable planners = plannerTable(records);
+    const SummaryTable planners = plannerTable(records, results.plan().limits.time);
     pages.section(planners.title);
     pages.table(planners.columns, planners.rows);
+    pages.paragraph("PAR-2 and PAR-10: mean time where a failed run counts 2 or 10 times the limit.");
+}
+
+void addFindings(PdfPages &pages, const ResultTable &results)
+{
+    const std::vector<std::string> sentences = findingsOf(caseTable(results)).sentences();
+    if (sentences.empty())
+        return;
+    pages.chapter("Findings");
+    pages.paragraph(
+        "Planners are compared pair by pair on the same cases: costs on those that both solved, by "
+        "Wilcoxon's "
+        "signed-rank test of their logarithms with a BCa bootstrap interval of the median ratio; success on "
+        "those that both have finished, by McNemar's exact test. All p-values carry Holm's correction. A12 "
+        "is "
+        "the chance that a cost of the first planner exceeds one of the second: 0.5 where they are alike. "
+        "Cases of one sweep share their graph, so small p-values overstate how much was learned.");
+    for (const std::string &sentence : sentences)
+        pages.paragraph("• " + sentence);
 }
 
 void addTables(PdfPages &pages, const ResultTable &results)
@@ -95,7 +115,12 @@ void addTables(PdfPages &pages, const ResultTable &results)
     if (failures.rows.empty())
         pages.paragraph("Every run ended with a valid solution.");
     else
+    {
+        pages.paragraph(
+            "Grouped by planner, end and message. To see one again, run `mrppsim replay . KEY` in this "
+            "report's folder, with the key in its row.");
         pages.table(failures.columns, failures.rows);
+    }
 }
 
 void addFigures(PdfPages &pages, const ResultTable &results, const std::filesystem::path &figures)
@@ -173,6 +198,7 @@ std::vector<std::filesystem::path> PdfReport::write(const ResultTable &results, 
     PdfPages pages(results.plan().campaign,
                    fmt::format("{} · mrppsim {}", results.plan().campaign, provenance.version));
     addTitlePage(pages, results, provenance);
+    addFindings(pages, results);
     addTables(pages, results);
     addFigures(pages, results, folder / "figures");
     addLayouts(pages, results);

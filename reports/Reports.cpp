@@ -3,7 +3,9 @@
 #include "reports/ChartsReport.h"
 #include "reports/CsvReport.h"
 #include "reports/HtmlReport.h"
+#include "reports/LatexReport.h"
 #include "reports/LayoutsReport.h"
+#include "reports/MarkdownReport.h"
 #include "reports/PdfReport.h"
 
 namespace mrpp
@@ -21,6 +23,9 @@ void registerReports(Catalog &catalog)
                                    "report.pdf: provenance, plan, tables, failures, every figure and layout");
     catalog.reports.add<HtmlReport>(
         "html", "report.html: charts, a table of all runs, and solutions that play, in one file");
+    catalog.reports.add<LatexReport>(
+        "latex", "latex/: booktabs tables, numbers as commands, figures ready to include");
+    catalog.reports.add<MarkdownReport>("markdown", "report.md: findings, tables and figures");
 }
 
 } // namespace mrpp

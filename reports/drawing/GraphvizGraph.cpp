@@ -1,11 +1,16 @@
 #include "reports/drawing/GraphvizGraph.h"
 
+#include "framework/support/Config.h"
+#include "framework/support/Error.h"
+#include "framework/support/File.h"
 #include "reports/drawing/PdfFile.h"
+#include "reports/drawing/Process.h"
+#include "reports/drawing/TemporaryFolder.h"
 #include "reports/drawing/Text.h"
 
-#include <cstdlib>
-#include <graphviz/gvc.h>
-#include <mutex>
+#include <array>
+#include <sstream>
+#include <utility>
 
 namespace mrpp
 {
@@ -13,133 +18,172 @@ namespace mrpp
 namespace
 {
 
-/// Graphviz keeps state of its own for the whole process, so its lock is the process's as well. The context
-/// is never freed: the text plugin remembers the last font of a context beyond the context's end.
-struct Graphviz
-{
-    std::mutex lock;
-    GVC_t *context = gvContext();
-};
+using Attributes = std::vector<std::pair<std::string, std::string>>;
 
-Graphviz &graphviz()
+constexpr const char *kInput = "drawing.dot";
+
+/// A quoted name or value: between quotes DOT knows no other special character than they.
+std::string quoted(const std::string &text)
 {
-    static Graphviz library;
-    return library;
+    std::string result = "\"";
+    for (const char c : text)
+        result += c == '"' ? std::string("\\\"") : std::string(1, c);
+    return result + "\"";
 }
 
-// The C interface takes text as `char *` but never writes to it.
-char *text(const char *constant)
+std::string listed(const Attributes &attributes)
 {
-    return const_cast<char *>(constant);
+    std::string text = " [";
+    for (const auto &[name, value] : attributes)
+        text += (text.size() > 2 ? "," : "") + name + "=" + quoted(value);
+    return text + "]\n";
 }
-char *text(const std::string &constant)
+
+void set(Attributes &attributes, const char *name, const std::string &value)
 {
-    return const_cast<char *>(constant.c_str());
+    for (auto &[known, old] : attributes)
+        if (known == name)
+        {
+            old = value;
+            return;
+        }
+    attributes.emplace_back(name, value);
+}
+
+/// Runs one of Graphviz' programs. The C library's allocator is told to keep what it has: giving memory back
+/// and forth makes drawing PDFs take quadratic time.
+void runGraphviz(std::vector<std::string> arguments, const std::filesystem::path &folder,
+                 std::chrono::milliseconds limit)
+{
+    const std::string program = arguments.front();
+    arguments.insert(arguments.begin(), {"env", "MALLOC_TRIM_THRESHOLD_=4294967296",
+                                         "MALLOC_MMAP_THRESHOLD_=4294967296", "MALLOC_TOP_PAD_=268435456"});
+    arguments.emplace_back(kInput);
+    const ProcessResult result = runProcess(arguments, folder, limit);
+    constexpr int kNoSuchProgram = 127;
+    if (!result.started || result.exitCode == kNoSuchProgram)
+        throw DrawingError("Graphviz' program " + program +
+                           " cannot be started; install it (Debian: graphviz) to get this picture");
+    if (result.timedOut)
+        throw DrawingError("Graphviz' program " + program + " did not end in time");
+    if (!result.succeeded())
+        throw DrawingError("Graphviz' program " + program + " failed" +
+                           (result.exitCode < 0 ? " (it crashed)" : "") + ": " + oneLine(result.output));
+}
+
+std::string written(const std::filesystem::path &file)
+{
+    try
+    {
+        return readFile(file);
+    }
+    catch (const FileError &error)
+    {
+        throw DrawingError("Graphviz wrote no picture: " + error.complaint());
+    }
 }
 
 } // namespace
 
 struct GraphvizGraph::State
 {
-    std::lock_guard<std::mutex> lock;
-    GVC_t *context = nullptr;
-    Agraph_t *graph = nullptr;
-    std::vector<Agnode_t *> nodes;
-    std::vector<Agedge_t *> edges;
-
-    State() : lock(graphviz().lock)
+    struct Edge
     {
-        agseterr(AGMAX); // what went wrong shows in return values
-        context = graphviz().context;
-        graph = agopen(text("drawing"), Agstrictundirected, nullptr);
-    }
-    ~State() { agclose(graph); }
-    State(const State &) = delete;
-    State &operator=(const State &) = delete;
-
-    /// Layouts live as long as this.
-    struct Layout
-    {
-        State &state;
-        Layout(State &drawn, const char *engine) : state(drawn)
-        {
-            if (gvLayout(state.context, state.graph, engine) != 0)
-                throw DrawingError(std::string("Graphviz' layout engine ") + engine + " failed");
-        }
-        ~Layout() { gvFreeLayout(state.context, state.graph); }
-        Layout(const Layout &) = delete;
-        Layout &operator=(const Layout &) = delete;
+        std::size_t a = 0;
+        std::size_t b = 0;
+        Attributes attributes;
     };
+    std::chrono::milliseconds limit{};
+    std::array<Attributes, 3> defaults;
+    std::vector<Attributes> nodes;
+    std::vector<Edge> edges;
 
-    std::string render(const char *format)
+    [[nodiscard]] std::string dot() const
     {
-        const Layout layout(*this, "nop2");
-        char *bytes = nullptr;
-        unsigned int size = 0;
-        const int failure = gvRenderData(context, graph, format, &bytes, &size);
-        std::string drawing = bytes == nullptr ? std::string() : std::string(bytes, size);
-        gvFreeRenderData(bytes);
-        if (failure != 0)
-            throw DrawingError(std::string("Graphviz cannot draw ") + format);
-        return drawing;
+        std::string text = "strict graph drawing {\n";
+        for (const auto &[kind, name] :
+             {std::pair{Kind::graph, "graph"}, {Kind::node, "node"}, {Kind::edge, "edge"}})
+            text += name + listed(defaults[static_cast<std::size_t>(kind)]);
+        for (std::size_t i = 0; i < nodes.size(); ++i)
+            text += std::to_string(i) + listed(nodes[i]);
+        for (const Edge &edge : edges)
+            text += std::to_string(edge.a) + "--" + std::to_string(edge.b) + listed(edge.attributes);
+        return text + "}\n";
     }
 };
 
-GraphvizGraph::GraphvizGraph() : state_(std::make_unique<State>()) {}
+GraphvizGraph::GraphvizGraph(std::chrono::milliseconds limit) : state_(std::make_unique<State>())
+{
+    state_->limit = limit;
+}
 GraphvizGraph::~GraphvizGraph() = default;
 
 void GraphvizGraph::setDefault(Kind kind, const char *name, const std::string &value)
 {
-    const int type = kind == Kind::graph ? AGRAPH : kind == Kind::node ? AGNODE : AGEDGE;
-    agattr(state_->graph, type, text(name), text(value));
+    set(state_->defaults[static_cast<std::size_t>(kind)], name, value);
 }
 
 std::size_t GraphvizGraph::addNode()
 {
-    const std::string name = std::to_string(state_->nodes.size());
-    state_->nodes.push_back(agnode(state_->graph, text(name), 1));
+    state_->nodes.emplace_back();
     return state_->nodes.size() - 1;
 }
 
 std::size_t GraphvizGraph::addEdge(std::size_t a, std::size_t b)
 {
-    state_->edges.push_back(agedge(state_->graph, state_->nodes[a], state_->nodes[b], nullptr, 1));
+    state_->edges.push_back({a, b, {}});
     return state_->edges.size() - 1;
 }
 
 void GraphvizGraph::setNode(std::size_t node, const char *name, const std::string &value)
 {
-    agset(state_->nodes[node], text(name), text(value));
+    set(state_->nodes[node], name, value);
 }
 
 void GraphvizGraph::setEdge(std::size_t edge, const char *name, const std::string &value)
 {
-    agset(state_->edges[edge], text(name), text(value));
+    set(state_->edges[edge].attributes, name, value);
 }
 
 std::vector<Point> GraphvizGraph::arrange(const char *engine)
 {
-    // The engines draw from the C library's generators, wherever an earlier caller left them.
-    constexpr unsigned int kSeed = 1;
-    std::srand(kSeed);
-    ::srand48(kSeed);
-    const State::Layout layout(*state_, engine);
-    std::vector<Point> positions;
-    positions.reserve(state_->nodes.size());
-    for (Agnode_t *node : state_->nodes)
-        positions.push_back({ND_coord(node).x, ND_coord(node).y, 0});
+    constexpr double kPointsAnInch = 72;
+    const TemporaryFolder folder;
+    writeFile(folder.path() / kInput, state_->dot());
+    runGraphviz({engine, "-Tplain", "-o", "places.txt"}, folder.path(), state_->limit);
+    std::vector<Point> positions(state_->nodes.size());
+    std::istringstream lines(written(folder.path() / "places.txt"));
+    std::size_t placed = 0;
+    for (std::string line; std::getline(lines, line);)
+    {
+        std::istringstream words(line);
+        std::string kind;
+        std::string name;
+        std::string x;
+        std::string y;
+        words >> kind >> name >> x >> y;
+        const auto node = parseInteger(name);
+        if (kind != "node" || !node || static_cast<std::size_t>(*node) >= positions.size())
+            continue;
+        positions[static_cast<std::size_t>(*node)] = {kPointsAnInch * parseNumber(x).value_or(0),
+                                                      kPointsAnInch * parseNumber(y).value_or(0), 0};
+        ++placed;
+    }
+    if (placed != positions.size())
+        throw DrawingError(std::string("Graphviz' layout engine ") + engine + " left vertices out");
     return positions;
 }
 
 Picture GraphvizGraph::renderPinned(int resolution)
 {
-    constexpr const char *kPoints = "72";
-    Picture picture;
-    setDefault(Kind::graph, "dpi", std::to_string(resolution));
-    picture.png = state_->render("png");
-    setDefault(Kind::graph, "dpi", kPoints);
-    picture.pdf = state_->render("pdf");
-    picture.svg = state_->render("svg");
+    const TemporaryFolder folder;
+    writeFile(folder.path() / kInput, state_->dot());
+    runGraphviz({"neato", "-n2", "-Gdpi=" + std::to_string(resolution), "-Tpng", "-odrawing.png"},
+                folder.path(), state_->limit);
+    runGraphviz({"neato", "-n2", "-Gdpi=72", "-Tpdf", "-odrawing.pdf", "-Tsvg", "-odrawing.svg"},
+                folder.path(), state_->limit);
+    Picture picture{written(folder.path() / "drawing.png"), written(folder.path() / "drawing.pdf"),
+                    written(folder.path() / "drawing.svg")};
     verify(picture);
     picture.pdf = withoutTimes(picture.pdf);
     return picture;

@@ -1,12 +1,13 @@
 #pragma once
 /// \file
-/// Graphviz' libraries behind one lock. They are not thread-safe, not even with a context for each thread,
-/// and write unwritable files without complaint; here one caller at a time uses them, and drawings come back
+/// Graphviz' programs, each run in a process of its own: where one crashes, hangs or eats memory, that costs
+/// one picture. (Its libraries are not thread-safe, and take the whole program with them.) Drawings come back
 /// as bytes.
 
 #include "framework/model/Graph.h"
 #include "reports/drawing/Picture.h"
 
+#include <chrono>
 #include <memory>
 #include <string>
 #include <vector>
@@ -14,7 +15,7 @@
 namespace mrpp
 {
 
-/// An undirected graph to be drawn. Holds Graphviz' lock as long as it lives: keep one at a time.
+/// An undirected graph to be drawn.
 class GraphvizGraph
 {
 public:
@@ -25,7 +26,8 @@ public:
         edge,
     };
 
-    GraphvizGraph();
+    /// \param limit wall time of each of Graphviz' runs
+    explicit GraphvizGraph(std::chrono::milliseconds limit = std::chrono::seconds(60));
     ~GraphvizGraph();
     GraphvizGraph(const GraphvizGraph &) = delete;
     GraphvizGraph &operator=(const GraphvizGraph &) = delete;

@@ -1,3 +1,4 @@
+#include "framework/geometry/Outline.h"
 #include "reports/drawing/CairoCanvas.h"
 #include "reports/drawing/LayoutPicture.h"
 #include "reports/drawing/Palette.h"
@@ -5,11 +6,12 @@
 #include "reports/drawing/Text.h"
 
 #include <algorithm>
+#include <array>
 #include <cairo-pdf.h>
 #include <cairo-svg.h>
 #include <cmath>
+#include <fmt/format.h>
 #include <numbers>
-#include <numeric>
 
 namespace mrpp
 {
@@ -19,8 +21,29 @@ namespace
 
 constexpr double kLongSide = 600; // points
 constexpr double kMargin = 10;
-constexpr double kTitle = 44;
+constexpr double kTitle = 52;
 constexpr std::size_t kStrokeAtOnce = 2000; // longer paths cost memory, shorter ones size
+
+constexpr std::size_t kRobotsWithBoldRoutes = 60; // more are a tangle: then heat shows where they went
+constexpr std::size_t kCornersDrawn = 200'000;    // of routes: beyond that the files outgrow their use
+
+/// Light to dark, so that they keep their order in greyscale: the sequential scheme OrRd of C. Brewer.
+constexpr std::array<const char *, 5> kHeat = {"#fee8c8", "#fdbb84", "#fc8d59", "#d7301f", "#7f0000"};
+
+/// What is free, in cells: exact outlines where the geometry library is there, else the rectangles
+/// themselves.
+std::vector<Outline> freeSpace(const std::vector<Rectangle> &rectangles)
+{
+#ifdef MRPP_HAS_GEOMETRY
+    return outlinesOf(rectangles);
+#else
+    std::vector<Outline> outlines;
+    for (const Rectangle &r : rectangles)
+        outlines.push_back(
+            {{{r.left, r.bottom, 0}, {r.right, r.bottom, 0}, {r.right, r.top, 0}, {r.left, r.top, 0}}, {}});
+    return outlines;
+#endif
+}
 
 class MapDrawing
 {
@@ -43,6 +66,11 @@ public:
         width_ = std::max(width * scale_, 300.0) + 2 * kMargin;
         bottom_ = height * scale_ + kMargin;
         height_ = bottom_ + kTitle + kMargin;
+        isGrid_ = isGrid();
+        if (isGrid_)
+            free_ = freeSpace(runs([](Vertex) { return true; }));
+        if (solution_ != nullptr && instance_.robotCount() > kRobotsWithBoldRoutes)
+            countArrivals();
     }
 
     [[nodiscard]] Picture draw() const
@@ -81,6 +109,10 @@ private:
     double width_ = 0;  ///< points
     double height_ = 0; ///< points
     double bottom_ = 0; ///< of the map
+    bool isGrid_ = false;
+    std::vector<Outline> free_;         ///< of a grid, in cells
+    std::vector<std::size_t> arrivals_; ///< at each vertex; empty where they are not shown
+    std::size_t mostArrivals_ = 0;
 
     [[nodiscard]] double x(Vertex v) const
     {
@@ -114,10 +146,11 @@ private:
         cairo_scale(cairo, pixelsAPoint, pixelsAPoint);
         cairo_set_source_rgb(cairo, 1, 1, 1);
         cairo_paint(cairo);
-        if (isGrid())
+        if (isGrid_)
             drawCells(cairo);
         else
             drawEdges(cairo);
+        drawHeat(cairo);
         drawRoutes(cairo);
         drawRobots(cairo);
         drawTitle(cairo);
@@ -140,32 +173,133 @@ private:
         return true;
     }
 
-    /// Free cells as squares on a dark ground; cells side by side become one rectangle.
+    /// Rectangles of cells side by side, in cells from the bottom left, of the vertices that are wanted.
+    template <class Wanted>
+    [[nodiscard]] std::vector<Rectangle> runs(Wanted &&wanted) const
+    {
+        const auto cell = [this](Vertex v)
+        {
+            const Point &place = placement_.positions[v];
+            return std::pair(std::round(place.y / placement_.spacing),
+                             std::round(place.x / placement_.spacing));
+        };
+        std::vector<std::pair<double, double>> cells;
+        for (Vertex v = 0; v < instance_.graph->vertexCount(); ++v)
+            if (wanted(v))
+                cells.push_back(cell(v));
+        std::sort(cells.begin(), cells.end());
+        std::vector<Rectangle> rectangles;
+        for (const auto &[row, column] : cells)
+            if (!rectangles.empty() && rectangles.back().bottom == row && rectangles.back().right == column)
+                rectangles.back().right = column + 1;
+            else
+                rectangles.push_back({column, row, column + 1, row + 1});
+        return rectangles;
+    }
+
+    [[nodiscard]] double cellX(double cells) const { return kMargin + cells * unit_; }
+    [[nodiscard]] double cellY(double cells) const { return bottom_ - cells * unit_; }
+
+    /// What is free as polygons with holes on a dark ground.
     void drawCells(cairo_t *cairo) const
     {
         cairo_set_source_rgb(cairo, 0.42, 0.42, 0.42);
         cairo_rectangle(cairo, kMargin, kMargin, width_ - 2 * kMargin, bottom_ - kMargin);
         cairo_fill(cairo);
         cairo_set_source_rgb(cairo, 0.95, 0.95, 0.95);
-        std::vector<Vertex> order(instance_.graph->vertexCount());
-        std::iota(order.begin(), order.end(), Vertex{0});
-        const auto &places = placement_.positions;
-        std::sort(order.begin(), order.end(),
-                  [&](Vertex a, Vertex b)
-                  { return std::pair(places[a].y, places[a].x) < std::pair(places[b].y, places[b].x); });
-        std::size_t rectangles = 0;
-        for (std::size_t first = 0; first < order.size();)
+        cairo_set_fill_rule(cairo, CAIRO_FILL_RULE_EVEN_ODD);
+        const auto follow = [&](const std::vector<Point> &corners)
         {
-            std::size_t last = first;
-            while (last + 1 < order.size() && instance_.graph->hasEdge(order[last], order[last + 1]))
-                ++last;
-            cairo_rectangle(cairo, x(order[first]) - unit_ / 2, y(order[first]) - unit_ / 2,
-                            x(order[last]) - x(order[first]) + unit_, unit_);
-            if (++rectangles % kStrokeAtOnce == 0)
-                cairo_fill(cairo);
-            first = last + 1;
+            for (const Point &corner : corners)
+                cairo_line_to(cairo, cellX(corner.x), cellY(corner.y));
+            cairo_close_path(cairo);
+            cairo_new_sub_path(cairo);
+        };
+        for (const Outline &outline : free_)
+        {
+            follow(outline.boundary);
+            for (const std::vector<Point> &hole : outline.holes)
+                follow(hole);
+            cairo_fill(cairo);
         }
-        cairo_fill(cairo);
+    }
+
+    void countArrivals()
+    {
+        arrivals_.resize(instance_.graph->vertexCount());
+        for (const Move &move : solution_->moves())
+            mostArrivals_ = std::max(mostArrivals_, ++arrivals_[move.to]);
+    }
+
+    /// 0 … 4: equal steps of the logarithm between one arrival and the most.
+    [[nodiscard]] std::size_t heat(std::size_t arrivals) const
+    {
+        const double share =
+            std::log(static_cast<double>(arrivals)) / std::log(static_cast<double>(mostArrivals_) + 1);
+        return std::min(kHeat.size() - 1,
+                        static_cast<std::size_t>(share * static_cast<double>(kHeat.size())));
+    }
+
+    void drawHeat(cairo_t *cairo) const
+    {
+        if (mostArrivals_ == 0)
+            return;
+        for (std::size_t level = 0; level < kHeat.size(); ++level)
+        {
+            const auto [red, green, blue] = rgb(kHeat[level]);
+            cairo_set_source_rgb(cairo, red, green, blue);
+            const auto isHere = [&](Vertex v) { return arrivals_[v] > 0 && heat(arrivals_[v]) == level; };
+            std::size_t shapes = 0;
+            const auto filled = [&]
+            {
+                if (++shapes % kStrokeAtOnce == 0)
+                    cairo_fill(cairo);
+            };
+            if (isGrid_)
+                for (const Rectangle &r : runs(isHere))
+                {
+                    cairo_rectangle(cairo, cellX(r.left), cellY(r.top), (r.right - r.left) * unit_, unit_);
+                    filled();
+                }
+            else
+                for (Vertex v = 0; v < instance_.graph->vertexCount(); ++v)
+                    if (isHere(v))
+                    {
+                        cairo_new_sub_path(cairo);
+                        cairo_arc(cairo, x(v), y(v), std::max(0.35 * unit_, 0.8), 0, 2 * std::numbers::pi);
+                        filled();
+                    }
+            cairo_fill(cairo);
+        }
+    }
+
+    /// The scale of heat, at the right end of the title's last line.
+    void drawHeatScale(cairo_t *cairo, double base) const
+    {
+        if (mostArrivals_ == 0)
+            return;
+        constexpr double kBox = 9;
+        constexpr double kFont = 8;
+        cairo_set_font_size(cairo, kFont);
+        const auto words = [&](double left, const std::string &text)
+        {
+            cairo_set_source_rgb(cairo, 0.13, 0.13, 0.13);
+            cairo_move_to(cairo, left, base);
+            cairo_show_text(cairo, text.c_str());
+            cairo_text_extents_t size;
+            cairo_text_extents(cairo, text.c_str(), &size);
+            return left + size.x_advance + 4;
+        };
+        double left = words(kMargin, "arrivals at a vertex: 1");
+        for (const char *color : kHeat)
+        {
+            const auto [red, green, blue] = rgb(color);
+            cairo_set_source_rgb(cairo, red, green, blue);
+            cairo_rectangle(cairo, left, base - kBox + 1.5, kBox, kBox);
+            cairo_fill(cairo);
+            left += kBox;
+        }
+        words(left + 4, fmt::format("{} (logarithmic)", mostArrivals_));
     }
 
     void drawEdges(cairo_t *cairo) const
@@ -189,32 +323,54 @@ private:
         cairo_set_source_rgb(cairo, red, green, blue);
     }
 
-    [[nodiscard]] bool showsRoutes() const
+    /// Each robot's way as a line through the corners where it turns; nothing where there are too many.
+    [[nodiscard]] std::vector<std::vector<Vertex>> ways() const
     {
-        constexpr std::size_t kRobotsWithRoutes = 60; // more are a tangle
-        return solution_ != nullptr && instance_.robotCount() <= kRobotsWithRoutes;
+        std::vector<std::vector<Vertex>> corners(instance_.robotCount());
+        std::size_t count = 0;
+        for (const Move &move : solution_->moves())
+        {
+            std::vector<Vertex> &way = corners[move.robot];
+            if (way.empty())
+                way.push_back(move.from);
+            if (way.size() >= 2 && isStraight(way[way.size() - 2], way.back(), move.to))
+                way.back() = move.to;
+            else
+            {
+                way.push_back(move.to);
+                ++count;
+            }
+        }
+        if (count > kCornersDrawn)
+            corners.clear();
+        return corners;
+    }
+
+    [[nodiscard]] bool isStraight(Vertex a, Vertex b, Vertex c) const
+    {
+        const auto &p = placement_.positions;
+        const double cross = (p[b].x - p[a].x) * (p[c].y - p[b].y) - (p[b].y - p[a].y) * (p[c].x - p[b].x);
+        const double along = (p[b].x - p[a].x) * (p[c].x - p[b].x) + (p[b].y - p[a].y) * (p[c].y - p[b].y);
+        constexpr double kTolerance = 1e-9;
+        return along > 0 && std::abs(cross) < kTolerance * placement_.spacing * placement_.spacing;
     }
 
     void drawRoutes(cairo_t *cairo) const
     {
-        if (!showsRoutes())
+        if (solution_ == nullptr)
             return;
-        const std::vector<Graph::Edge> edges = instance_.graph->edges();
-        const auto users = edgeUsers(*instance_.graph, *solution_, 1);
-        cairo_set_line_width(cairo, std::clamp(unit_ / 3, 0.5, 2.0));
+        const bool isBold = instance_.robotCount() <= kRobotsWithBoldRoutes;
+        cairo_set_line_width(cairo,
+                             isBold ? std::clamp(unit_ / 3, 0.5, 2.0) : std::clamp(unit_ / 8, 0.2, 0.5));
         cairo_set_line_cap(cairo, CAIRO_LINE_CAP_ROUND);
-        std::vector<std::vector<std::size_t>> routes(instance_.robotCount());
-        for (std::size_t i = 0; i < users.size(); ++i)
-            for (const Robot robot : users[i])
-                routes[robot].push_back(i);
-        for (Robot robot = 0; robot < routes.size(); ++robot)
+        cairo_set_line_join(cairo, CAIRO_LINE_JOIN_ROUND);
+        const auto corners = ways();
+        for (Robot robot = 0; robot < corners.size(); ++robot)
         {
-            setColor(cairo, robot);
-            for (const std::size_t edge : routes[robot])
-            {
-                cairo_move_to(cairo, x(edges[edge].a), y(edges[edge].a));
-                cairo_line_to(cairo, x(edges[edge].b), y(edges[edge].b));
-            }
+            const auto [red, green, blue] = rgb(robotColor(robot));
+            cairo_set_source_rgba(cairo, red, green, blue, isBold ? 1 : 0.6);
+            for (const Vertex corner : corners[robot])
+                cairo_line_to(cairo, x(corner), y(corner));
             cairo_stroke(cairo);
         }
     }
@@ -257,6 +413,7 @@ private:
             text.erase(0, end + 1);
             base += kLine;
         }
+        drawHeatScale(cairo, base);
     }
 };
 

@@ -1,6 +1,8 @@
 #include "reports/drawing/SummaryTables.h"
 
 #include "framework/support/Config.h"
+#include "framework/support/Profiles.h"
+#include "framework/support/Proportion.h"
 #include "reports/drawing/CampaignFigures.h"
 #include "reports/drawing/Numbers.h"
 #include "reports/drawing/Text.h"
@@ -170,19 +172,23 @@ std::vector<SummaryTable> summaryTables(std::span<const RunRecord> records)
     return tables;
 }
 
-SummaryTable plannerTable(std::span<const RunRecord> records)
+SummaryTable plannerTable(std::span<const RunRecord> records, double timeLimit)
 {
     std::vector<std::string> planners;
     std::map<std::string, std::map<PlannerStatus, std::size_t>> statuses;
+    std::map<std::string, std::vector<std::optional<double>>> times;
     for (const RunRecord &record : records)
     {
+        times[record.planner].push_back(record.solved() ? record.time : std::nullopt);
         if (!statuses.contains(record.planner))
             planners.push_back(record.planner);
         ++statuses[record.planner][record.status];
     }
     SummaryTable table;
     table.title = "Planners";
-    table.columns = {{"Planner"}, {"Runs", true}, {"Solved", true}, {"Solved (%)", true}, {"Other ends"}};
+    table.columns = {{"Planner"},          {"Runs", true},          {"Solved", true},
+                     {"Solved (%)", true}, {"95 % interval", true}, {"PAR-2 (s)", true},
+                     {"PAR-10 (s)", true}, {"Other ends"}};
     for (const std::string &planner : planners)
     {
         std::size_t runs = 0;
@@ -195,15 +201,39 @@ SummaryTable plannerTable(std::span<const RunRecord> records)
         }
         const std::size_t solved = statuses[planner][PlannerStatus::solved];
         const bool isInvalid = statuses[planner].contains(PlannerStatus::invalid);
+        const Interval interval = wilsonInterval(solved, runs);
         table.rows.push_back(
             {{planner},
              {std::to_string(runs)},
              {std::to_string(solved)},
              {fmt::format("{:.1f}", 100 * static_cast<double>(solved) / static_cast<double>(runs))},
+             {fmt::format("{:.1f}–{:.1f}", 100 * interval.low, 100 * interval.high)},
+             {threeDigits(penalizedAverage(times[planner], timeLimit, 2).value_or(0))},
+             {threeDigits(penalizedAverage(times[planner], timeLimit, 10).value_or(0))},
              {others, isInvalid ? Emphasis::warning : Emphasis::none}});
     }
     return table;
 }
+
+namespace
+{
+
+/// A message with "#" for every number: what differs in numbers alone is one kind of failure.
+std::string withoutNumbers(const std::string &message)
+{
+    std::string kind;
+    for (const char c : message)
+    {
+        const bool isDigit = c >= '0' && c <= '9';
+        if (!isDigit)
+            kind += c;
+        else if (kind.empty() || kind.back() != '#')
+            kind += '#';
+    }
+    return kind;
+}
+
+} // namespace
 
 SummaryTable failureTable(std::span<const RunRecord> records, std::size_t limit)
 {
@@ -218,8 +248,8 @@ SummaryTable failureTable(std::span<const RunRecord> records, std::size_t limit)
     {
         if (record.solved())
             continue;
-        const auto [position, isNew] =
-            positions.try_emplace({record.planner, record.status, record.reason}, failures.size());
+        const auto [position, isNew] = positions.try_emplace(
+            {record.planner, record.status, withoutNumbers(record.reason)}, failures.size());
         if (isNew)
             failures.push_back({&record, 0});
         ++failures[position->second].count;
@@ -232,7 +262,7 @@ SummaryTable failureTable(std::span<const RunRecord> records, std::size_t limit)
 
     SummaryTable table;
     table.title = "Runs without a solution";
-    table.columns = {{"Planner"}, {"Status"}, {"Runs", true}, {"Reason"}, {"First case"}};
+    table.columns = {{"Planner"}, {"Status"}, {"Runs", true}, {"Reason"}, {"First case"}, {"Its key"}};
     for (const Failure &failure : failures)
     {
         if (table.rows.size() == limit)
@@ -241,6 +271,7 @@ SummaryTable failureTable(std::span<const RunRecord> records, std::size_t limit)
                                   {""},
                                   {""},
                                   {counted(failures.size() - limit, "kind") + " more, see results.csv"},
+                                  {""},
                                   {""}});
             break;
         }
@@ -250,7 +281,8 @@ SummaryTable failureTable(std::span<const RunRecord> records, std::size_t limit)
              {spaced(toString(failure.first->status)), isInvalid ? Emphasis::warning : Emphasis::none},
              {std::to_string(failure.count)},
              {failure.first->reason},
-             {failure.first->caseId}});
+             {failure.first->caseId},
+             {failure.first->runKey}});
     }
     return table;
 }

@@ -4,6 +4,7 @@
 #include "reports/PdfReport.h"
 #include "reports/drawing/TemporaryFolder.h"
 #include "tests/reports/Campaigns.h"
+#include "tests/reports/EnvironmentVariable.h"
 
 #include <cstdlib>
 #include <gtest/gtest.h>
@@ -16,25 +17,6 @@ namespace
 {
 
 using namespace mrpp::testing;
-
-/// Sets an environment variable for as long as it lives.
-class EnvironmentVariable
-{
-public:
-    EnvironmentVariable(const char *name, const std::string &value) : name_(name)
-    {
-        if (const char *before = std::getenv(name))
-            before_ = before;
-        ::setenv(name, value.c_str(), 1);
-    }
-    ~EnvironmentVariable() { ::setenv(name_, before_.c_str(), 1); }
-    EnvironmentVariable(const EnvironmentVariable &) = delete;
-    EnvironmentVariable &operator=(const EnvironmentVariable &) = delete;
-
-private:
-    const char *name_;
-    std::string before_;
-};
 
 FakeCampaign sweep(std::size_t planners)
 {

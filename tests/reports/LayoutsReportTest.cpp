@@ -117,6 +117,24 @@ TEST(DrawInstance, DrawsMapsOfLargerGraphs)
     EXPECT_LT(picture.svg.size(), 200'000U); // rows of cells, not single ones
 }
 
+TEST(DrawInstance, ShowsWhereManyRobotsWentAsHeat)
+{
+    const Instance instance = gridInstance(80, 70);
+    Solution solution;
+    for (Vertex v = 0; v < 70; ++v)
+        for (int turn = 0; turn < 3; ++turn)
+        {
+            solution.append({v, v, v + 80});
+            solution.append({v, v + 80, v});
+        }
+    const Picture picture = drawInstance(instance, &solution, "crowded");
+    EXPECT_NE(picture.svg.find("rgb(99.607843%,90.980392%,78.431373%)"),
+              std::string::npos); // the scale's first colour
+    const Picture again = drawInstance(instance, &solution, "crowded");
+    EXPECT_EQ(picture.pdf, again.pdf);
+    EXPECT_EQ(picture.svg, again.svg);
+}
+
 TEST(DrawInstance, RefusesWhatIsTooLarge)
 {
     EXPECT_THROW((void)drawInstance(gridInstance(71, 1, false), nullptr, ""), DrawingError); // 5041 vertices
