@@ -68,12 +68,14 @@ BENCHMARK_TEMPLATE(planning, PushAndRotate)
     ->Args({100, 900})
     ->Args({400, 10})
     ->ArgsProduct({{32, 64, 128, 256, 512}, {20, 200}})
+    ->Args({1024, 20})
     ->Unit(benchmark::kMillisecond);
 BENCHMARK_TEMPLATE(planning, PushAndSpin)
     ->Args({10, 980})
     ->Args({100, 500})
     ->Args({100, 900})
     ->ArgsProduct({{32, 64, 128, 256, 512}, {20, 200}})
+    ->Args({1024, 20})
     ->Unit(benchmark::kMillisecond);
 
 /// The oracle. Arguments: side of the grid, robots per 1000 vertices.

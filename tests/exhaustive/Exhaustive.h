@@ -58,9 +58,10 @@ struct ExhaustiveResult
 /// where it proves infeasibility it has to say so.
 [[nodiscard]] ExhaustiveResult checkSmallGraphs(const Catalog &catalog, const ExhaustiveSettings &settings);
 
-/// Instances that legal moves have scrambled, on trees, sparse graphs, dumbbells, trees with cycle leaves,
-/// biconnected graphs and grids of up to 150 vertices with 1 to 6 free: each planner has to solve each that
-/// it does not reject.
+/// Instances that moves of one robot at a time have scrambled, on trees, sparse graphs, dumbbells, trees with
+/// cycle leaves, biconnected graphs and grids of up to 150 vertices with 1 to 6 free: each planner has to
+/// solve each that it does not reject. For every fifth of them another one that rotations have scrambled, too,
+/// and one with goals of chance, where planners and oracle have to agree.
 [[nodiscard]] ExhaustiveResult checkRandomInstances(const Catalog &catalog,
                                                     const ExhaustiveSettings &settings);
 

@@ -24,7 +24,7 @@ TEST(Exhaustive, PlannersSolveRandomSolvableInstances)
 {
     const ExhaustiveResult result =
         checkRandomInstances(everythingRegistered(), {.threads = 1, .random = 200});
-    EXPECT_EQ(result.instances, 400U);
+    EXPECT_EQ(result.instances, 560U);
     EXPECT_EQ(result.failures, 0U) << describe(result);
 }
 

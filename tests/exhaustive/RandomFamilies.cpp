@@ -1,5 +1,6 @@
 #include "tests/exhaustive/RandomFamilies.h"
 
+#include "framework/Problem.h"
 #include "tests/support/RandomCases.h"
 
 #include <algorithm>
@@ -88,7 +89,7 @@ std::shared_ptr<const Graph> grid(Random &random, std::size_t size)
 
 } // namespace
 
-Instance randomFamilyInstance(Seed seed)
+Instance randomFamilyInstance(Seed seed, RandomGoals goals)
 {
     Random random(deriveSeed(seed, "families"));
     // Small ones are more telling, large ones are rarer.
@@ -118,7 +119,15 @@ Instance randomFamilyInstance(Seed seed)
     }
     const std::size_t n = graph->vertexCount();
     const std::size_t free = 1 + random.below(std::min<std::size_t>(6, n - 1));
-    return randomWalks(graph, n - free, 60 * n, seed).instance;
+    switch (goals)
+    {
+    case RandomGoals::moves:
+        return randomWalks(graph, n - free, 60 * n, seed).instance;
+    case RandomGoals::rotations:
+        return randomSolvedCaseWithRotations(graph, n - free, 3 * n, seed).instance;
+    default:
+        return randomInstance(graph, n - free, seed);
+    }
 }
 
 } // namespace mrpp::test
