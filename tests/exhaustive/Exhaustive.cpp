@@ -69,8 +69,8 @@ public:
     }
 
 private:
-    /// Where moves of the rule have made the instance, the oracle must say that it can be solved; elsewhere it
-    /// is the judge of the planners.
+    /// Where moves of the rule have made the instance, the oracle must say that it can be solved; elsewhere
+    /// it is the judge of the planners.
     void checkRandom(Seed seed, RandomGoals goals)
     {
         const auto instance = std::make_shared<const Instance>(randomFamilyInstance(seed, goals));

@@ -60,8 +60,8 @@ struct ExhaustiveResult
 
 /// Instances that moves of one robot at a time have scrambled, on trees, sparse graphs, dumbbells, trees with
 /// cycle leaves, biconnected graphs and grids of up to 150 vertices with 1 to 6 free: each planner has to
-/// solve each that it does not reject. For every fifth of them another one that rotations have scrambled, too,
-/// and one with goals of chance, where planners and oracle have to agree.
+/// solve each that it does not reject. For every fifth of them another one that rotations have scrambled,
+/// too, and one with goals of chance, where planners and oracle have to agree.
 [[nodiscard]] ExhaustiveResult checkRandomInstances(const Catalog &catalog,
                                                     const ExhaustiveSettings &settings);
 
