@@ -165,8 +165,8 @@ struct Answered
 
 using Arguments =
     std::variant<Answered, RunArguments, ReportArguments, MergeArguments, CompareArguments, ReplayArguments,
-                 SlurmArguments, SolveArguments, CheckArguments, ValidateArguments, ViewArguments, ConvertArguments,
-                 GenerateArguments, ListArguments, WorkerArguments>;
+                 SlurmArguments, SolveArguments, CheckArguments, ValidateArguments, ViewArguments,
+                 ConvertArguments, GenerateArguments, ListArguments, WorkerArguments>;
 
 /// Prints help to the standard output, complaints to the standard error.
 /// \param catalog whose generators have an option for each of their parameters

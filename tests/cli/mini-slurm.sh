@@ -30,7 +30,7 @@ start)
 ClusterName=mini
 SlurmctldHost=$host(127.0.0.1)
 AuthType=auth/munge
-AuthInfo=socket=$folder/run/munge.socket,cred_expire=3
+AuthInfo=socket=$folder/run/munge.socket,cred_expire=5
 CredType=cred/munge
 SlurmUser=root
 SlurmdUser=root

@@ -49,8 +49,7 @@ TEST(GraphvizGraph, SurvivesItsProgramsHang)
 TEST(GraphvizGraph, SaysWhatWentWrong)
 {
     EXPECT_EQ(complaintWith("echo no memory; exit 1"), "Graphviz' program neato failed: no memory ");
-    EXPECT_EQ(complaintWith("exit 0"),
-              "Graphviz wrote no picture: there is no such file");
+    EXPECT_EQ(complaintWith("exit 0"), "Graphviz wrote no picture: there is no such file");
 }
 
 TEST(GraphvizGraph, MissingCostsThePicturesAlone)

@@ -128,6 +128,22 @@ public:
     }
 };
 
+/// Files of the tests are neither written nor read.
+class NoFiles final : public FileExchange
+{
+public:
+    [[nodiscard]] std::string extensionOf(const std::string &) const override { return ".txt"; }
+    void writeGraph(const std::string &, const Graph &, const std::filesystem::path &) const override {}
+    void writeInstance(const std::string &, const Instance &, const std::filesystem::path &,
+                       const std::filesystem::path &) const override
+    {}
+    [[nodiscard]] std::optional<Schedule> readSolution(const std::string &, const Instance &,
+                                                       const std::filesystem::path &) const override
+    {
+        return std::nullopt;
+    }
+};
+
 } // namespace
 
 Catalog makeCatalog()
@@ -146,6 +162,7 @@ Catalog makeCatalog()
                        {"instance", ".instance", "instance", true, true, ""},
                        {"solution", ".csv", "solution", true, true, ""},
                        {"kei18_result", ".txt", "solution", true, true, ""}};
+    catalog.files = std::make_shared<NoFiles>();
     return catalog;
 }
 
