@@ -62,8 +62,8 @@ struct Plugin
 
 /// Begins the function that adds a plugin's classes; once a library.
 #define MRPP_PLUGIN(catalog)                                                                                 \
-    static void mrppPluginAdd(mrpp::Catalog &catalog);                                                       \
+    static void mrppPluginAdd(mrpp::Catalog &(catalog));                                                     \
     extern "C" __attribute__((visibility("default"))) const mrpp::Plugin mrppPlugin;                         \
     const mrpp::Plugin mrppPlugin = {MRPP_ABI_VERSION,  MRPP_ABI_HEADERS, mrpp::kAbiCompiler,                \
                                      mrpp::kAbiLibrary, mrpp::kAbiChecks, &mrppPluginAdd};                   \
-    static void mrppPluginAdd([[maybe_unused]] mrpp::Catalog &catalog)
+    static void mrppPluginAdd([[maybe_unused]] mrpp::Catalog &(catalog))
