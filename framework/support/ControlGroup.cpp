@@ -160,7 +160,7 @@ fs::path makeBelow(const fs::path &parent)
     clean(parent);
     for (int i = 1; i < kMost; ++i)
     {
-        const fs::path group = parent / (kPrefix + std::to_string(::getpid()) + "-" + std::to_string(i));
+        fs::path group = parent / (kPrefix + std::to_string(::getpid()) + "-" + std::to_string(i));
         std::error_code error;
         if (fs::create_directory(group, error))
             return group;
