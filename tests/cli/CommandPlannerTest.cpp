@@ -43,12 +43,14 @@ void prepare(const Scratch &scratch, const std::string &text)
     scratch.write("plan.yaml", text);
 }
 
+/// Of each planner the run with the most robots, in whatever order they were made.
 std::map<std::string, RunRecord> records(const Scratch &scratch)
 {
     std::map<std::string, RunRecord> byPlanner;
     for (RunRecord &record :
          ResultStore(scratch.path() / "results/outside", ResultStore::Access::read).records())
-        byPlanner[record.planner] = std::move(record);
+        if (RunRecord &kept = byPlanner[record.planner]; record.robots >= kept.robots)
+            kept = std::move(record);
     return byPlanner;
 }
 
