@@ -19,10 +19,4 @@ set(text "#pragma once
 #define MRPP_ABI_HEADERS \"${hash}\"
 #endif
 ")
-set(old "")
-if(EXISTS "${FILE}")
-    file(READ "${FILE}" old)
-endif()
-if(NOT text STREQUAL old)
-    file(WRITE "${FILE}" "${text}")
-endif()
+file(CONFIGURE OUTPUT "${FILE}" CONTENT "${text}" @ONLY) # touched only where it differs
