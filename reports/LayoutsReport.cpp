@@ -14,16 +14,11 @@ std::vector<std::filesystem::path> LayoutsReport::write(const ResultTable &resul
     const auto add = [&files](const std::vector<std::filesystem::path> &more)
     { files.insert(files.end(), more.begin(), more.end()); };
     for (const LayoutPlan &plan : plannedLayouts(results))
-    {
-        try
-        {
-            add(writePicture(layouts, plan.name, drawLayout(results, plan).picture));
-        }
-        catch (const DrawingError &error)
-        {
-            complaints.push_back(plan.name + ": " + error.what());
-        }
-    }
+        for (const Layout &layout : drawLayouts(results, plan))
+            if (layout.missing.empty())
+                add(writePicture(layouts, layout.name, layout.picture));
+            else
+                complaints.push_back(layout.name + ": " + layout.missing);
     add(writeComplaints(layouts, complaints));
     return files;
 }

@@ -1,7 +1,8 @@
 #pragma once
 /// \file
-/// `layouts`: pictures of the instances by Graphviz, as layouts/NAME.{png,pdf,svg}: graph, starts, goals and
-/// the robots' routes. layouts/NOT_DRAWN.txt says which could not be drawn, and why.
+/// `layouts`: pictures of the instances as layouts/NAME.{png,pdf,svg}: graph, starts, goals and the robots'
+/// routes; as NAME-structure its blocks, handles and isthmuses; as NAME-steps key steps of a solution.
+/// layouts/NOT_DRAWN.txt says which could not be drawn, and why.
 
 #include "framework/Report.h"
 

@@ -20,12 +20,12 @@ namespace mrpp
 namespace
 {
 
-constexpr double kFigureHeight = 640;    // points
-constexpr double kHalfPageHeight = 280;  // points: two and their captions fill a page
-constexpr double kHalvedAtMost = 400;    // points: higher figures would become too small
-constexpr double kLayoutHeight = 560;    // points, of a layout that has the width for itself
-constexpr double kPairHeight = 215;      // points, of two layouts beside each other
-constexpr double kSmallPairHeight = 162; // points: three such pairs and their captions fill a page
+constexpr double kFigureHeight = 640;   // points
+constexpr double kHalfPageHeight = 280; // points: two and their captions fill a page
+constexpr double kHalvedAtMost = 400;   // points: higher figures would become too small
+constexpr double kLayoutHeight = 560;   // points, of a layout that has the width for itself
+constexpr double kPairHeight = 230;     // points, of two layouts beside each other
+constexpr double kPairedUpTo = 400;     // points: wider layouts would become too small beside another
 
 void addTitlePage(PdfPages &pages, const ResultTable &results, const Provenance &provenance)
 {
@@ -142,51 +142,42 @@ void addFigures(PdfPages &pages, const ResultTable &results, const std::filesyst
 
 void addLayouts(PdfPages &pages, const ResultTable &results)
 {
-    constexpr std::int64_t kSmallGraph = 300; // two of them fit beside each other
     const std::vector<LayoutPlan> plans = plannedLayouts(results);
     if (plans.empty())
         return;
     pages.chapter("Instances");
     pages.paragraph(
-        "Filled vertices are starts, with the robot's number; rings are goals, with a flag and the "
-        "number of their robot. On large maps discs are starts and squares of the same colour goals. "
-        "Coloured lines are the routes of a solution, grey where more than four robots passed; on "
-        "large maps those of up to 60 robots.");
+        "Every problem's first instance, of a sweep the smallest and the largest point. Routes are those of "
+        "the "
+        "first solution that was kept. The structure of a graph is its isthmuses (edges on no cycle) and its "
+        "blocks, each a first cycle to which handles are added one after another. Key steps are the start, "
+        "the "
+        "end, and of each part of the schedule between them the moment at which most robots are at their "
+        "goals.");
     std::vector<PdfDrawing> pair;
-    double pairHeight = kSmallPairHeight;
     const auto flush = [&]
     {
         if (!pair.empty())
-            pages.drawings(pair, 2, pairHeight);
+            pages.drawings(pair, 2, kPairHeight);
         pair.clear();
-        pairHeight = kSmallPairHeight;
     };
     for (const LayoutPlan &plan : plans)
     {
-        PdfDrawing drawing;
-        try
+        for (Layout &layout : drawLayouts(results, plan))
         {
-            Layout layout = drawLayout(results, plan);
-            drawing = {std::move(layout.picture.pdf), {}, std::move(layout.caption)};
+            PdfDrawing drawing{std::move(layout.picture.pdf), layout.missing, layout.caption};
+            if (drawing.missing.empty() && pageSize(drawing.pdf).first > kPairedUpTo)
+            {
+                flush();
+                pages.drawings({drawing}, 1, kLayoutHeight);
+                continue;
+            }
+            pair.push_back(std::move(drawing));
+            if (pair.size() == 2)
+                flush();
         }
-        catch (const DrawingError &error)
-        {
-            drawing = {{}, error.what(), plan.title + "."};
-        }
-        if (plan.runs.front()->vertices.value_or(kSmallGraph + 1) > kSmallGraph)
-        {
-            flush();
-            pages.drawings({drawing}, 1, kLayoutHeight);
-            continue;
-        }
-        constexpr std::int64_t kTinyGraph = 60;
-        if (plan.runs.front()->vertices.value_or(0) > kTinyGraph)
-            pairHeight = kPairHeight;
-        pair.push_back(std::move(drawing));
-        if (pair.size() == 2)
-            flush();
+        flush();
     }
-    flush();
 }
 
 } // namespace

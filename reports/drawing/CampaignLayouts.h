@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Which instances of a campaign are drawn, under which names and with which captions.
+/// Which pictures of a campaign's instances there are, under which names and with which captions.
 
 #include "framework/campaign/ResultTable.h"
 #include "reports/drawing/Picture.h"
@@ -16,6 +16,7 @@ struct LayoutPlan
 {
     std::string name;                    ///< file name without extension
     std::string title;                   ///< of the problem, with its sweep point
+    bool showsStructure = true;          ///< false where the plan before has the same graph
     std::vector<const RunRecord *> runs; ///< on this very instance; never empty
 };
 
@@ -25,12 +26,15 @@ struct LayoutPlan
 
 struct Layout
 {
+    std::string name; ///< file name without extension
     Picture picture;
-    std::string caption; ///< what it is, its size and whose routes
+    std::string missing; ///< why there is no picture; empty where there is one
+    std::string caption; ///< what it is, its size and whose routes; can stand alone
 };
 
-/// Makes the instance again and draws it, with the routes of the first kept solution.
-/// Throws DrawingError where that is not possible.
-[[nodiscard]] Layout drawLayout(const ResultTable &results, const LayoutPlan &plan);
+/// Makes the instance again and draws it: with the routes of the first kept solution; the structure of its
+/// graph (`NAME-structure`, up to kLargestGraph vertices); and key steps of that solution (`NAME-steps`).
+/// What cannot be drawn is missing alone.
+[[nodiscard]] std::vector<Layout> drawLayouts(const ResultTable &results, const LayoutPlan &plan);
 
 } // namespace mrpp

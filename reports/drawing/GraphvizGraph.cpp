@@ -9,6 +9,7 @@
 #include "reports/drawing/Text.h"
 
 #include <array>
+#include <fmt/format.h>
 #include <sstream>
 #include <utility>
 
@@ -84,6 +85,12 @@ std::string written(const std::filesystem::path &file)
 }
 
 } // namespace
+
+std::string inches(double points)
+{
+    constexpr double kPointsAnInch = 72;
+    return fmt::format("{:.4f}", points / kPointsAnInch);
+}
 
 struct GraphvizGraph::State
 {

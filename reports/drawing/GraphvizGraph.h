@@ -15,6 +15,9 @@
 namespace mrpp
 {
 
+/// A length as most of Graphviz' attributes want it.
+[[nodiscard]] std::string inches(double points);
+
 /// An undirected graph to be drawn.
 class GraphvizGraph
 {

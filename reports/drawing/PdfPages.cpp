@@ -10,7 +10,6 @@
 #include <fmt/format.h>
 #include <list>
 #include <numeric>
-#include <pango/pangocairo.h>
 
 namespace mrpp
 {
@@ -28,20 +27,10 @@ constexpr double kCellGap = 7;
 constexpr double kTableFont = 7.5;
 constexpr double kSmallestTableFont = 5;
 
-struct LayoutDeleter
+double heightOf(const TextLayout &text)
 {
-    void operator()(PangoLayout *layout) const { g_object_unref(layout); }
-};
-using TextLayout = std::unique_ptr<PangoLayout, LayoutDeleter>;
-
-struct TextStyle
-{
-    std::string font = "DejaVu Sans 9";
-    double width = kTextWidth;
-    PangoAlignment alignment = PANGO_ALIGN_LEFT;
-    int lines = 0;   ///< at most so many, the last ending in "…"; 0: any number
-    double hang = 0; ///< indentation of all lines but the first
-};
+    return sizeOf(text).height;
+}
 
 } // namespace
 
@@ -61,50 +50,15 @@ struct PdfPages::State
 
     [[nodiscard]] cairo_t *cairo() const { return context.get(); }
 
-    [[nodiscard]] TextLayout layout(const std::string &text, const TextStyle &style) const
+    /// As wide as the page unless the style says otherwise.
+    [[nodiscard]] TextLayout layout(const std::string &text, TextStyle style) const
     {
-        TextLayout made(pango_cairo_create_layout(cairo()));
-        constexpr double kPointsAnInch = 72; // one unit of the page is a point
-        pango_cairo_context_set_resolution(pango_layout_get_context(made.get()), kPointsAnInch);
-        pango_context_set_round_glyph_positions(pango_layout_get_context(made.get()), FALSE);
-        cairo_font_options_t *unhinted = cairo_font_options_create(); // letters stand as the font says
-        cairo_font_options_set_hint_style(unhinted, CAIRO_HINT_STYLE_NONE);
-        cairo_font_options_set_hint_metrics(unhinted, CAIRO_HINT_METRICS_OFF);
-        pango_cairo_context_set_font_options(pango_layout_get_context(made.get()), unhinted);
-        cairo_font_options_destroy(unhinted);
-        pango_layout_context_changed(made.get());
-        PangoAttrList *attributes = pango_attr_list_new(); // names are not hyphenated
-        pango_attr_list_insert(attributes, pango_attr_insert_hyphens_new(FALSE));
-        pango_layout_set_attributes(made.get(), attributes);
-        pango_attr_list_unref(attributes);
-        PangoFontDescription *font = pango_font_description_from_string(style.font.c_str());
-        pango_layout_set_font_description(made.get(), font);
-        pango_font_description_free(font);
-        pango_layout_set_width(made.get(), static_cast<int>(style.width * PANGO_SCALE));
-        pango_layout_set_wrap(made.get(), PANGO_WRAP_WORD_CHAR);
-        pango_layout_set_indent(made.get(), -static_cast<int>(style.hang * PANGO_SCALE));
-        pango_layout_set_alignment(made.get(), style.alignment);
-        if (style.lines > 0)
-        {
-            pango_layout_set_height(made.get(), -style.lines);
-            pango_layout_set_ellipsize(made.get(), PANGO_ELLIPSIZE_END);
-        }
-        pango_layout_set_text(made.get(), text.data(), static_cast<int>(text.size()));
-        return made;
+        if (style.width < 0)
+            style.width = kTextWidth;
+        return layText(cairo(), text, style);
     }
 
-    [[nodiscard]] static double heightOf(const TextLayout &text)
-    {
-        PangoRectangle size;
-        pango_layout_get_extents(text.get(), nullptr, &size);
-        return static_cast<double>(size.height) / PANGO_SCALE;
-    }
-
-    void show(const TextLayout &text, double x, double top) const
-    {
-        cairo_move_to(cairo(), x, top);
-        pango_cairo_show_layout(cairo(), text.get());
-    }
+    void show(const TextLayout &text, double x, double top) const { showText(cairo(), text, x, top); }
 
     void setColor(double red, double green, double blue) const
     {
@@ -187,13 +141,11 @@ std::vector<ColumnNeed> columnNeeds(const PdfPages::State &state, const std::vec
 {
     constexpr double kLeastText = 60; // points, for text that wraps
     constexpr double kRoom = 0.5;     // against rounding
-    const TextLayout ruler = state.layout("", {fmt::format("DejaVu Sans Bold {}", fontSize), -1});
+    const TextLayout ruler = layText(state.cairo(), "", {fmt::format("DejaVu Sans Bold {}", fontSize)});
     const auto widthOf = [&](std::string_view text)
     {
         pango_layout_set_text(ruler.get(), text.data(), static_cast<int>(text.size()));
-        PangoRectangle size;
-        pango_layout_get_extents(ruler.get(), nullptr, &size);
-        return static_cast<double>(size.width) / PANGO_SCALE + kRoom;
+        return sizeOf(ruler).width + kRoom;
     };
     std::vector<ColumnNeed> needs;
     for (std::size_t c = 0; c < columns.size(); ++c)
@@ -322,7 +274,7 @@ void PdfPages::facts(const std::vector<std::pair<std::string, std::string>> &pai
         const TextLayout left = s.layout(oneLine(name), {"DejaVu Sans 9", kNames - kCellGap});
         const TextLayout right =
             s.layout(oneLine(value), {"DejaVu Sans 9", kTextWidth - kNames, PANGO_ALIGN_LEFT, 6});
-        const double height = std::max(State::heightOf(left), State::heightOf(right));
+        const double height = std::max(heightOf(left), heightOf(right));
         s.need(height);
         s.setGrey();
         s.show(left, kMargin, s.y);
@@ -387,12 +339,12 @@ void PdfPages::table(const std::vector<PdfTableColumn> &columns,
         for (std::size_t c = 0; c < columns.size(); ++c)
         {
             heading.cells.push_back(lay(c, columns[c].title, headingFont, 3));
-            heading.height = std::max(heading.height, State::heightOf(heading.cells.back()));
+            heading.height = std::max(heading.height, heightOf(heading.cells.back()));
         }
         s.line(s.y, 0.9, 0.1);
         s.y += 2;
         for (std::size_t c = 0; c < columns.size(); ++c)
-            s.show(heading.cells[c], lefts[c], s.y + heading.height - State::heightOf(heading.cells[c]));
+            s.show(heading.cells[c], lefts[c], s.y + heading.height - heightOf(heading.cells[c]));
         s.y += heading.height + 2;
         s.line(s.y, 0.5, 0.1);
         s.y += 2;
@@ -412,7 +364,7 @@ void PdfPages::table(const std::vector<PdfTableColumn> &columns,
             laid.cells.push_back(
                 lay(c, row[c].text, isBold ? bold : plain, columns[c].isRight ? 0 : kLinesACell));
             if (c > 0 || !continuesGroup)
-                laid.height = std::max(laid.height, State::heightOf(laid.cells.back()));
+                laid.height = std::max(laid.height, heightOf(laid.cells.back()));
         }
         const bool beginsPage = s.y + laid.height > kBottom;
         if (beginsPage)
@@ -420,7 +372,7 @@ void PdfPages::table(const std::vector<PdfTableColumn> &columns,
             s.line(s.y, 0.5, 0.1);
             s.newPage();
             drawHeading();
-            laid.height = std::max(laid.height, State::heightOf(laid.cells.front()));
+            laid.height = std::max(laid.height, heightOf(laid.cells.front()));
         }
         else if (group != nullptr && !continuesGroup)
         {
@@ -468,7 +420,7 @@ void PdfPages::drawings(const std::vector<PdfDrawing> &row, std::size_t columns,
             fmt::format("Figure {}. {}", s.drawings, oneLine(drawing.caption)) +
             (drawing.missing.empty() ? "" : " [Not drawn: " + oneLine(drawing.missing) + "]");
         cell.caption = s.layout(words, {"DejaVu Sans 8", width, PANGO_ALIGN_LEFT, 14});
-        tallestCaption = std::max(tallestCaption, State::heightOf(cell.caption));
+        tallestCaption = std::max(tallestCaption, heightOf(cell.caption));
         laid.push_back(std::move(cell));
     }
     const double room = std::min(height, kBottom - kMargin - tallestCaption - kAboveCaption);

@@ -93,7 +93,12 @@ std::string counted(std::size_t count, std::string_view noun)
 {
     if (count == 1)
         return "1 " + std::string(noun);
-    return std::to_string(count) + " " + (noun == "vertex" ? "vertices" : std::string(noun) + "s");
+    std::string plural(noun);
+    if (plural.ends_with("vertex"))
+        plural.replace(plural.size() - 2, 2, "ices");
+    else
+        plural += plural.ends_with('s') ? "es" : "s";
+    return std::to_string(count) + " " + plural;
 }
 
 std::string spaced(std::string_view identifier)

@@ -19,6 +19,11 @@ namespace
 
 using namespace mrpp::testing;
 
+Picture drawInstance(const Instance &instance, const Solution *solution, const std::string &title)
+{
+    return mrpp::drawInstance(instance, solution, placeGraph(*instance.graph), title);
+}
+
 /// The element of that id; also asserts that the SVG is well-formed.
 pugi::xml_node element(pugi::xml_document &document, const std::string &svg, const std::string &id)
 {
@@ -44,7 +49,18 @@ std::string text(const pugi::xml_node &node)
     return words;
 }
 
-const Solution kTreeRoutes({{0, 1, 0}, {1, 4, 3}, {0, 0, 1}, {1, 3, 4}, {2, 6, 4}, {2, 4, 3}});
+const Solution kTreeRoutes({{0, 1, 0},
+                            {1, 4, 3},
+                            {1, 3, 1},
+                            {1, 1, 2},
+                            {0, 0, 1},
+                            {0, 1, 3},
+                            {2, 6, 4},
+                            {2, 4, 5},
+                            {0, 3, 4},
+                            {0, 4, 6},
+                            {1, 2, 1},
+                            {2, 5, 4}});
 
 TEST(DrawInstance, KeepsCoordinatesAndTheirDirection)
 {
@@ -69,7 +85,8 @@ TEST(DrawInstance, ShowsStartsGoalsAndRoutes)
     const std::string vertex = text(element(document, svg, "vertex1"));
     EXPECT_NE(vertex.find("⚑1"), std::string::npos) << vertex;
     EXPECT_NE(svg.find("vertex 1, start of robot 0, goal of robot 1"), std::string::npos);
-    EXPECT_NE(svg.find("robots 1, 2"), std::string::npos); // both used some edge
+    EXPECT_NE(svg.find("robots 2, 0"), std::string::npos); // both used some edge
+    EXPECT_NE(svg.find("goal, ⚑ with the robot&#39;s number"), std::string::npos);
     EXPECT_TRUE(element(document, svg, "edge1-3"));
 }
 
@@ -137,8 +154,9 @@ TEST(DrawInstance, ShowsWhereManyRobotsWentAsHeat)
 
 TEST(DrawInstance, RefusesWhatIsTooLarge)
 {
-    EXPECT_THROW((void)drawInstance(gridInstance(71, 1, false), nullptr, ""), DrawingError); // 5041 vertices
-    EXPECT_THROW((void)drawInstance(gridInstance(55, 1, false), nullptr, ""), DrawingError); // 3025 vertices
+    EXPECT_THROW((void)placeGraph(*gridInstance(71, 1, false).graph), DrawingError); // 5041 vertices
+    EXPECT_THROW((void)placeGraph(*gridInstance(55, 1, false).graph), DrawingError); // 3025 vertices
+    EXPECT_THROW((void)placeGraph(Graph()), DrawingError);
 }
 
 TEST(DrawInstance, DrawsTheLargestGraphThatGraphvizGets)
@@ -173,7 +191,7 @@ TEST(EdgeUsers, ListsEachRobotOnceInOrderOfUse)
 {
     const auto users = edgeUsers(*treeInstance().graph, kTreeRoutes, 2);
     // Edges in order: 0-1, 1-2, 1-3, 3-4, 4-5, 4-6.
-    const std::vector<std::vector<Robot>> expected = {{0}, {}, {}, {1, 2}, {}, {2}};
+    const std::vector<std::vector<Robot>> expected = {{0}, {1}, {1, 0}, {1, 0}, {2}, {2, 0}};
     EXPECT_EQ(users, expected);
 }
 
@@ -200,6 +218,7 @@ TEST(PlannedLayouts, TakeTheEndsOfASweepAndOneOfEachProblem)
     {
         names += plan.name + " ";
         EXPECT_EQ(plan.runs.size(), 2U); // both planners, the first repetition
+        EXPECT_EQ(plan.showsStructure, plan.name != "fg_vr-grid-robots-3"); // the graph of the plan before
     }
     EXPECT_EQ(names, "small_benchmark-tree fg_vr-grid-robots-1 fg_vr-grid-robots-3 ");
 }
@@ -214,13 +233,16 @@ TEST(LayoutsReport, DrawsWhatItCanAndSaysWhatItCannot)
                                     .solution("tree", kTreeRoutes)
                                     .run(solveSmoothly);
     const auto files = LayoutsReport().write(results, fakeProvenance(), folder.path());
-    ASSERT_EQ(files.size(), 4U);
-    EXPECT_TRUE(std::filesystem::exists(folder.path() / "layouts" / "small_benchmark-tree.svg"));
+    ASSERT_EQ(files.size(), 10U);
+    for (const char *name :
+         {"small_benchmark-tree", "small_benchmark-tree-structure", "small_benchmark-tree-steps"})
+        for (const char *extension : {".svg", ".pdf", ".png"})
+            EXPECT_TRUE(std::filesystem::exists(folder.path() / "layouts" / (std::string(name) + extension)));
     EXPECT_EQ(
         readFile(folder.path() / "layouts" / "NOT_DRAWN.txt"),
         "public_benchmark-huge: 6400 vertices are too many for Graphviz (at most 5000), and there are no "
         "coordinates to draw a map from\n");
-    EXPECT_NE(readFile(folder.path() / "layouts" / "small_benchmark-tree.svg").find("robots 1, 2"),
+    EXPECT_NE(readFile(folder.path() / "layouts" / "small_benchmark-tree.svg").find("robots 2, 0"),
               std::string::npos);
 }
 
