@@ -223,10 +223,10 @@ Benchmark::Summary Benchmark::benchmark(const Request &request, const std::stop_
     summary.planned = runs.size();
     const auto isFinished = [&summary, finished = store.finishedRuns()](const RunSpec &run)
     {
-        const auto status = finished.status(run.runKey);
-        if (status)
+        const auto status = finished.find(run.runKey);
+        if (status != nullptr)
             ++summary.statuses[*status];
-        return status.has_value();
+        return status != nullptr;
     };
     runs.erase(std::remove_if(runs.begin(), runs.end(), isFinished), runs.end());
     summary.kept = summary.planned - runs.size();

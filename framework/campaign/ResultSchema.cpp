@@ -143,7 +143,7 @@ RunRecord RunRows::record(const sqlite::Statement &row) const
         if (std::holds_alternative<std::monostate>(value))
             continue;
         if (cell.column != nullptr)
-            cell.column->set(record, value);
+            cell.column->set(record, std::move(value));
         else
             record.extra[cell.name] = std::move(value);
     }

@@ -34,6 +34,12 @@ std::filesystem::path existing(const std::filesystem::path &folder)
     return folder;
 }
 
+std::size_t countRuns(sqlite::Connection &connection)
+{
+    sqlite::Statement count(connection, "SELECT count(*) FROM runs");
+    return count.step() ? static_cast<std::size_t>(count.integer(0)) : 0;
+}
+
 } // namespace
 
 struct ResultStore::State
@@ -105,15 +111,14 @@ void ResultStore::describe(const BenchmarkPlan &plan, const Provenance &provenan
     state_->database.describe(plan, provenance);
 }
 
-FinishedRuns ResultStore::finishedRuns() const
+RunKeyMap<PlannerStatus> ResultStore::finishedRuns() const
 {
     sqlite::Connection &connection = state_->database.connection();
-    FinishedRuns runs;
-    sqlite::Statement count(connection, "SELECT count(*) FROM runs");
-    runs.reserve(count.step() ? static_cast<std::size_t>(count.integer(0)) : 0);
+    RunKeyMap<PlannerStatus> runs;
+    runs.reserve(countRuns(connection));
     sqlite::Statement query(connection, "SELECT run_key, status FROM runs");
     while (query.step())
-        runs.add(query.view(0), static_cast<PlannerStatus>(query.integer(1)));
+        runs.set(query.view(0), static_cast<PlannerStatus>(query.integer(1)));
     return runs;
 }
 
@@ -163,9 +168,11 @@ void ResultStore::add(std::span<const FinishedRun> runs)
 
 std::vector<RunRecord> ResultStore::records() const
 {
-    sqlite::Statement query(state_->database.connection(), "SELECT * FROM runs ORDER BY id");
+    sqlite::Connection &connection = state_->database.connection();
+    sqlite::Statement query(connection, "SELECT * FROM runs ORDER BY id");
     const RunRows rows(query);
     std::vector<RunRecord> records;
+    records.reserve(countRuns(connection));
     while (query.step())
         records.push_back(rows.record(query));
     return records;

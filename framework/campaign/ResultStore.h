@@ -11,10 +11,10 @@
 /// give each shard a folder of its own.
 
 #include "framework/campaign/BenchmarkPlan.h"
-#include "framework/campaign/FinishedRuns.h"
 #include "framework/campaign/ProgressSampler.h"
 #include "framework/campaign/Provenance.h"
 #include "framework/campaign/RunKey.h"
+#include "framework/campaign/RunKeyMap.h"
 #include "framework/campaign/RunRecord.h"
 #include "framework/model/Solution.h"
 
@@ -58,7 +58,7 @@ public:
     void describe(const BenchmarkPlan &plan, const Provenance &provenance);
 
     /// Keys of the finished runs, and how each ended.
-    [[nodiscard]] FinishedRuns finishedRuns() const;
+    [[nodiscard]] RunKeyMap<PlannerStatus> finishedRuns() const;
     [[nodiscard]] std::set<std::string> finishedKeys() const;
 
     /// Notes that a run begins; returns how often it began, this time included. Survives the death of this

@@ -11,6 +11,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 namespace mrpp
@@ -34,7 +35,7 @@ public:
     [[nodiscard]] const std::vector<RunRecord> &records() const { return records_; }
 
     /// How many runs the plan has; more than records().size() while the campaign is unfinished.
-    [[nodiscard]] std::size_t plannedRuns() const { return specs_.size(); }
+    [[nodiscard]] std::size_t plannedRuns() const { return plannedRuns_; }
 
     /// Rebuilds a record's instance from its problem and seeds. Nothing where an input file is gone.
     [[nodiscard]] std::optional<Instance> instance(const RunRecord &record) const;
@@ -52,7 +53,8 @@ public:
 
 private:
     BenchmarkPlan plan_;
-    std::vector<RunSpec> specs_;
+    std::size_t plannedRuns_ = 0;
+    std::unordered_map<std::string, std::size_t> points_; // of each case
     std::vector<RunRecord> records_;
     SolutionLoader loadSolution_;
     ProgressLoader loadProgress_;

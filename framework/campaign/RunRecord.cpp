@@ -36,34 +36,34 @@ Value toValue(const std::optional<T> &cell)
     return cell ? Value(*cell) : Value();
 }
 
-void fromValue(const Value &value, std::string &slot)
+void fromValue(Value &&value, std::string &slot)
 {
-    if (const auto *text = std::get_if<std::string>(&value))
-        slot = *text;
+    if (auto *text = std::get_if<std::string>(&value))
+        slot = std::move(*text);
 }
-void fromValue(const Value &value, std::int64_t &slot)
+void fromValue(Value &&value, std::int64_t &slot)
 {
     if (const auto *number = std::get_if<std::int64_t>(&value))
         slot = *number;
 }
-void fromValue(const Value &value, Seed &slot)
+void fromValue(Value &&value, Seed &slot)
 {
     if (const auto *number = std::get_if<std::int64_t>(&value))
         slot = static_cast<Seed>(*number);
 }
-void fromValue(const Value &value, PlannerStatus &slot)
+void fromValue(Value &&value, PlannerStatus &slot)
 {
     if (const auto *text = std::get_if<std::string>(&value))
         slot = plannerStatus(*text).value_or(PlannerStatus::unknown);
 }
-void fromValue(const Value &value, std::optional<std::int64_t> &slot)
+void fromValue(Value &&value, std::optional<std::int64_t> &slot)
 {
     if (const auto *number = std::get_if<std::int64_t>(&value))
         slot = *number;
     else if (std::holds_alternative<std::monostate>(value))
         slot.reset();
 }
-void fromValue(const Value &value, std::optional<double> &slot)
+void fromValue(Value &&value, std::optional<double> &slot)
 {
     if (const auto *number = std::get_if<double>(&value))
         slot = *number;
@@ -90,7 +90,7 @@ RunColumn column(std::string_view name, T RunRecord::*member, bool inSolveJson)
 {
     return {name, typeOf<T>(), inSolveJson,
             [member](const RunRecord &record) { return toValue(record.*member); },
-            [member](RunRecord &record, const Value &value) { fromValue(value, record.*member); }};
+            [member](RunRecord &record, Value value) { fromValue(std::move(value), record.*member); }};
 }
 
 std::vector<RunColumn> makeColumns()

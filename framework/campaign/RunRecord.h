@@ -107,7 +107,7 @@ struct RunColumn
     Type type = Type::text;
     bool inSolveJson = false; ///< whether `solve --json` has it
     std::function<Value(const RunRecord &)> get;
-    std::function<void(RunRecord &, const Value &)> set; ///< takes what get gave; wrong types are ignored
+    std::function<void(RunRecord &, Value)> set; ///< takes what get gave; wrong types are ignored
 };
 
 /// All columns in the order of results.csv; those that events added (RunRecord::extra) stand behind them, by

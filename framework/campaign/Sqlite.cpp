@@ -189,14 +189,16 @@ void Statement::reset()
 
 Value Statement::column(int index) const
 {
-    switch (sqlite3_column_type(handle_, index))
+    sqlite3_value *cell = sqlite3_column_value(handle_, index);
+    switch (sqlite3_value_type(cell))
     {
     case SQLITE_INTEGER:
-        return static_cast<std::int64_t>(sqlite3_column_int64(handle_, index));
+        return static_cast<std::int64_t>(sqlite3_value_int64(cell));
     case SQLITE_FLOAT:
-        return sqlite3_column_double(handle_, index);
+        return sqlite3_value_double(cell);
     case SQLITE_TEXT:
-        return text(index);
+        return std::string(reinterpret_cast<const char *>(sqlite3_value_text(cell)),
+                           static_cast<std::size_t>(sqlite3_value_bytes(cell)));
     default:
         return {};
     }

@@ -10,13 +10,25 @@ namespace mrpp
 
 static_assert(std::endian::native == std::endian::little, "fingerprints hash numbers as little-endian bytes");
 
+namespace
+{
+
+/// Looked up once: that takes as long as hashing a short text.
+const EVP_MD *sha256()
+{
+    static const EVP_MD *const algorithm = EVP_MD_fetch(nullptr, "SHA256", nullptr);
+    return algorithm;
+}
+
+} // namespace
+
 struct Fingerprint::State
 {
     EVP_MD_CTX *context = EVP_MD_CTX_new();
 
     State()
     {
-        if (context == nullptr || EVP_DigestInit_ex(context, EVP_sha256(), nullptr) != 1)
+        if (context == nullptr || EVP_DigestInit_ex(context, sha256(), nullptr) != 1)
             throw std::runtime_error("SHA-256 is not available");
     }
     ~State() { EVP_MD_CTX_free(context); }

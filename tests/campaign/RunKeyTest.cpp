@@ -178,6 +178,22 @@ TEST_F(WhyRunTest, NamesWhatTheProgramChanged)
     EXPECT_EQ(fixtures::table(later, dir()).records().size(), 3U);
 }
 
+TEST_F(WhyRunTest, AnOldAnswerMayStandForTwoQuestions)
+{
+    BenchmarkPlan plan = fixtures::plan({"walker"}, 1);
+    run(plan);
+    plan.planners.push_back({"walker", "still", {{"detours", "0"}}});
+    resolve(plan, laterCatalog(2, 1));
+    const ResultTable table = fixtures::table(plan, dir());
+    ASSERT_EQ(table.records().size(), 6U);
+    for (std::size_t i = 0; i < 6; i += 2)
+    {
+        EXPECT_EQ(table.records()[i].planner, "walker");
+        EXPECT_EQ(table.records()[i + 1].planner, "still");
+        EXPECT_EQ(table.records()[i].runKey, table.records()[i + 1].runKey);
+    }
+}
+
 TEST_F(WhyRunTest, CountsWhatWasBegunAndNeverFinished)
 {
     BenchmarkPlan plan = fixtures::plan({"walker"}, 1);

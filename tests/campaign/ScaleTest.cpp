@@ -32,6 +32,32 @@ std::int64_t runs()
     return asked == nullptr ? kDefault : std::atoll(asked);
 }
 
+/// A run with about as much in its row as those of a planner that solves most instances.
+RunRecord finished(const BenchmarkPlan &plan, const RunSpec &spec)
+{
+    RunRecord record;
+    fillIdentity(record, plan, spec);
+    for (auto *count : {&record.vertices, &record.edges, &record.robots, &record.free,
+                        &record.pathLengthLowerBound, &record.makespanLowerBound, &record.timed})
+        *count = spec.repetition % 89;
+    for (auto *measured : {&record.occupancy, &record.completed, &record.time, &record.setupTime,
+                           &record.memory, &record.cpuTime, &record.load})
+        *measured = 0.001 * static_cast<double>(spec.repetition % 97);
+    record.instanceFingerprint = spec.planKey;
+    record.solvable = "yes";
+    record.limitMeans = "time kill, cpu /proc, memory rlimit";
+    record.status = spec.repetition % 10 == 0 ? PlannerStatus::timeout : PlannerStatus::solved;
+    if (!record.solved())
+        return record;
+    for (auto *cost : {&record.pathLength, &record.actions, &record.makespan, &record.sumOfCosts,
+                       &record.optimizedPathLength, &record.optimizedActions, &record.optimizedMakespan,
+                       &record.optimizedSumOfCosts})
+        *cost = spec.repetition % 31;
+    record.optimizationTime = 0.5;
+    record.solutionFingerprint = spec.runKey;
+    return record;
+}
+
 void fill(const BenchmarkPlan &plan, const std::filesystem::path &folder)
 {
     constexpr std::size_t kBatch = 5000;
@@ -41,17 +67,7 @@ void fill(const BenchmarkPlan &plan, const std::filesystem::path &folder)
     const std::vector<RunSpec> specs = expand(plan);
     for (const RunSpec &spec : specs)
     {
-        FinishedRun run;
-        fillIdentity(run.record, plan, spec);
-        run.record.status = spec.repetition % 10 == 0 ? PlannerStatus::timeout : PlannerStatus::solved;
-        run.record.vertices = 24;
-        run.record.robots = 2;
-        run.record.time = 0.001 * static_cast<double>(spec.repetition % 97);
-        run.record.pathLength = spec.repetition % 31;
-        run.record.makespan = spec.repetition % 13;
-        run.record.limitMeans = "time kill, cpu /proc, memory rlimit";
-        run.record.instanceFingerprint = spec.runKey;
-        batch.push_back(std::move(run));
+        batch.emplace_back().record = finished(plan, spec);
         if (batch.size() == kBatch || &spec == &specs.back())
         {
             store.add(batch);
@@ -91,7 +107,7 @@ TEST(Scale, ResumesAndReportsFromManyRuns)
                      EXPECT_EQ(summary.finished, 0U);
                      EXPECT_EQ(summary.kept, summary.planned);
                  });
-    expectWithin("a report's table", 15,
+    expectWithin("a report's table", 5,
                  [&]
                  {
                      const ResultStore store(folder.path(), ResultStore::Access::read);
