@@ -7,6 +7,7 @@ import { quoted } from "../src/runs/details";
 import { columnTest, searchTest, selectRuns } from "../src/runs/filter";
 import { formatNumber, formatSeconds } from "../src/runs/format";
 import { State } from "../src/page/state";
+import { labelled, logarithmicTicks } from "../src/charts/ticks";
 
 const texts = (...values: string[]): { texts: string[]; rows: number[] } => ({
     texts: values,
@@ -210,5 +211,23 @@ test("the state survives the address", () => {
     assert.deepEqual(
         seen.map((changed) => changed.length),
         [5, 1],
+    );
+});
+
+test("ticks of logarithmic axes are powers of ten and their multiples, on whatever range", () => {
+    assert.deepEqual(logarithmicTicks(0.8, 3), [0.8, 0.9, 1, 2, 3]);
+    assert.deepEqual(logarithmicTicks(1e-9, 1e3).length, 13, "powers alone on long axes");
+    for (const min of [9.8e-3, 0.3, 1, 76.9, 999.999])
+        for (const factor of [1.01, 7, 140, 1e5, 1e12]) {
+            const ticks = logarithmicTicks(min, min * factor);
+            assert.ok(
+                ticks.every((tick, i) => tick >= min && tick <= min * factor && !(tick <= ticks[i - 1])),
+            );
+            assert.ok(labelled(ticks, 5).filter((tick) => tick !== null).length <= 5);
+        }
+    const decades = logarithmicTicks(1, 100);
+    assert.deepEqual(
+        labelled(decades, 8).filter((tick) => tick !== null),
+        [1, 2, 5, 10, 20, 50, 100],
     );
 });

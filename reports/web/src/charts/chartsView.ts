@@ -87,7 +87,7 @@ export class ChartsView {
 
     setTheme(theme: Theme): void {
         this.theme = theme;
-        if (this.plot) this.show();
+        if (this.plot && !this.element.hidden) this.show();
     }
 
     show(): void {
@@ -98,7 +98,10 @@ export class ChartsView {
         const settings = this.settings();
         this.showChoices(settings);
         const model = buildChart(this.runs, this.campaign.about.planners, settings);
-        this.logX.checked = this.state.flag("logx", !model.xNames && isWide(model.dots.map(({ x }) => x)));
+        this.logX.checked = this.state.flag(
+            "logx",
+            !model.xNames && settings.kind !== "cactus" && isWide(model.dots.map(({ x }) => x)),
+        );
         this.logY.checked = this.state.flag("logy", isWide(model.dots.map(({ y }) => y)));
         this.plot?.destroy();
         this.plot = new Plot(this.campaign.about.planners, model, this.theme, {
@@ -176,7 +179,7 @@ export class ChartsView {
     }
 
     private save(): void {
-        this.plot?.canvas?.toBlob((blob) => {
+        this.plot?.picture()?.toBlob((blob) => {
             if (blob) download(`${fileName(this.campaign.about.title, "chart")}.png`, blob);
         });
     }

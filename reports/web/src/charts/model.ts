@@ -54,6 +54,7 @@ export interface ChartModel {
     yTitle: string;
     xIsTime: boolean; // seconds
     yIsTime: boolean;
+    yIsPercent: boolean;
     xNames: string[] | null; // of the places 0, 1, … where the axis has names
     curves: Curve[];
     marks: Mark[];
@@ -326,6 +327,7 @@ class Builder {
             yTitle,
             xIsTime,
             yIsTime: isTime(y),
+            yIsPercent: y === kSuccess,
             xNames: null,
             curves: [],
             marks: [],

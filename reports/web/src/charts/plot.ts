@@ -5,6 +5,7 @@ import type { PlannerStyle } from "../data/campaign";
 import { el } from "../page/dom";
 import { type Theme, curveColor } from "../page/theme";
 import { formatNumber, formatSeconds } from "../runs/format";
+import { labelled, logarithmicTicks } from "./ticks";
 import type { ChartModel, Dot } from "./model";
 
 export interface PlotOptions {
@@ -65,8 +66,31 @@ export class Plot {
         this.element.remove();
     }
 
-    get canvas(): HTMLCanvasElement | null {
-        return this.element.querySelector("canvas");
+    /** The chart on its ground with its planners beneath: a picture that can stand alone. */
+    picture(): HTMLCanvasElement | null {
+        const chart = this.element.querySelector("canvas");
+        if (!chart) return null;
+        const pixels = devicePixelRatio || 1;
+        const kLine = 22 * pixels;
+        const named = this.model.curves;
+        const picture = el("canvas", {
+            width: chart.width,
+            height: chart.height + kLine * (named.length + 0.5),
+        });
+        const context = picture.getContext("2d", { alpha: false })!;
+        context.fillStyle = this.theme.cell;
+        context.fillRect(0, 0, picture.width, picture.height);
+        context.drawImage(chart, 0, 0);
+        context.font = `${13 * pixels}px system-ui, sans-serif`;
+        context.textBaseline = "middle";
+        named.forEach(({ name, planner }, i) => {
+            const y = chart.height + kLine * (i + 0.5);
+            const color = curveColor(this.planners[planner].color, this.theme);
+            drawMarker(context, this.planners[planner].marker, 30 * pixels, y, 5 * pixels, color);
+            context.fillStyle = this.theme.text;
+            context.fillText(name, 44 * pixels, y);
+        });
+        return picture;
     }
 
     /** What there is to show in one direction, with a margin; null where there is nothing. */
@@ -87,6 +111,7 @@ export class Plot {
         for (const guide of this.model.guides) for (const i of axis === "x" ? [0, 2] : [1, 3]) add(guide[i]);
         if (min > max) return null;
         if (isLog) return { min: min / 1.3, max: max * 1.3 };
+        if (axis === "y" && this.model.yIsPercent) return { min: -3, max: 103 };
         const kFromZero = 0.35; // axes begin at 0 where that costs no more of the picture
         if (min > 0 && min < kFromZero * max) min = 0;
         const margin = max > min ? (max - min) * 0.04 : Math.max(Math.abs(max) * 0.1, 0.5);
@@ -140,7 +165,14 @@ export class Plot {
             series.push(hidden, { ...hidden });
             bands.push({ series: [3 * i + 3, 3 * i + 2], fill: `${stroke}26` });
         });
-        const axis = (label: string, isTime: boolean): uPlot.Axis => ({
+        // uPlot's own ticks of logarithmic axes never end on some ranges.
+        const axis = (label: string, isTime: boolean, isLog: boolean): uPlot.Axis => ({
+            ...(isLog
+                ? {
+                      splits: (_, __, min, max) => logarithmicTicks(min, max),
+                      filter: (u, splits, index) => labelled(splits, roomFor(u, index)),
+                  }
+                : {}),
             label,
             labelSize: 26,
             stroke: theme.text,
@@ -148,17 +180,15 @@ export class Plot {
             ticks: { stroke: theme.faint, width: 1 },
             values: (_, splits) => splits.map((value) => (value === null ? "" : valueText(value, isTime))),
         });
-        const xAxis = axis(model.xTitle, model.xIsTime);
+        const xAxis = axis(model.xTitle, model.xIsTime, options.logX);
         if (model.xNames) {
             const names = model.xNames;
-            const longest = Math.min(
-                names.reduce((most, name) => Math.max(most, name.length), 0),
-                24,
-            );
+            const longest = names.reduce((most, name) => Math.max(most, shortened(name).length), 0);
             Object.assign(xAxis, {
                 label: undefined,
-                splits: () => names.map((_, i) => i),
-                values: () => names.map((name) => (name.length > 24 ? `${name.slice(0, 23)}…` : name)),
+                splits: (u: uPlot) =>
+                    names.map((_, i) => i).filter((i) => i % everyName(u, names.length) === 0),
+                values: (_: uPlot, splits: number[]) => splits.map((i) => shortened(names[i])),
                 rotate: -40,
                 size: 30 + longest * 5,
                 space: 1,
@@ -170,10 +200,10 @@ export class Plot {
             height: options.height,
             padding: [12, model.xNames ? 70 : 16, 0, 0],
             scales: {
-                x: { time: false, auto: false, distr: options.logX ? 3 : 1, ...x },
-                y: { auto: false, distr: options.logY ? 3 : 1, ...y },
+                x: { time: false, auto: false, distr: options.logX ? 3 : 1, range: asAsked, ...x },
+                y: { auto: false, distr: options.logY ? 3 : 1, range: asAsked, ...y },
             },
-            axes: [xAxis, { ...axis(model.yTitle, model.yIsTime), size: 74 }],
+            axes: [xAxis, { ...axis(model.yTitle, model.yIsTime, options.logY), size: 74 }],
             series,
             bands,
             legend: { show: false },
@@ -280,6 +310,26 @@ export class Plot {
         this.tip.style.right = toLeft ? `${u.over.clientWidth - u.valToPos(x, "x") + 12}px` : "auto";
         this.tip.style.top = `${Math.max(u.valToPos(y, "y") - 30, 0)}px`;
     }
+}
+
+const asAsked: uPlot.Range.Function = (_, min, max) => [min, max];
+
+/** How many numbers an axis has room for. */
+function roomFor(u: uPlot, axis: number): number {
+    const kRoom = [80, 36]; // CSS pixels across, up
+    const size = (axis === 0 ? u.bbox.width : u.bbox.height) / devicePixelRatio;
+    return Math.max(Math.floor(size / kRoom[axis]), 1);
+}
+
+/** One name in so many has room. */
+function everyName(u: uPlot, count: number): number {
+    const kRoom = 16; // CSS pixels
+    return Math.max(Math.ceil((kRoom * count * devicePixelRatio) / Math.max(u.bbox.width, 1)), 1);
+}
+
+function shortened(name: string): string {
+    const kLongest = 24;
+    return name.length > kLongest ? `${name.slice(0, kLongest - 1)}…` : name;
 }
 
 function valueText(value: number, isTime: boolean): string {

@@ -31,7 +31,8 @@ export function formatCell(column: Column, run: number): string {
 
 /** "Path length (moves)". */
 export function columnTitle(column: Column): string {
-    return column.unit ? `${column.title} (${column.unit})` : column.title;
+    const isSaid = column.unit === "" || column.title.toLowerCase().startsWith(column.unit);
+    return isSaid ? column.title : `${column.title} (${column.unit})`;
 }
 
 export function runName(runs: Runs, run: number): string {
@@ -43,6 +44,7 @@ export function statusClass(status: string): string {
     const known = [
         "solved",
         "partial",
+        "gave_up",
         "timeout",
         "memory_limit",
         "crash",

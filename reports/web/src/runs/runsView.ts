@@ -4,6 +4,7 @@ import { checkbox, el } from "../page/dom";
 import type { State } from "../page/state";
 import { RunDetails } from "./details";
 import { type Order, columnTest, searchTest, selectRuns } from "./filter";
+import { statusClass } from "./format";
 import { RunTable } from "./table";
 
 const kUsualColumns = [
@@ -101,7 +102,11 @@ export class RunsView {
             ...[...counts].map(([status, count]) => {
                 const chip = el(
                     "button",
-                    { type: "button", class: `chip status-${status}`, "aria-pressed": status === chosen },
+                    {
+                        type: "button",
+                        class: `chip ${statusClass(status)}`,
+                        "aria-pressed": status === chosen,
+                    },
                     `${status} ${count}`,
                 );
                 chip.addEventListener("click", () =>

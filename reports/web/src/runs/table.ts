@@ -37,8 +37,10 @@ export class RunTable {
             columns.length === this.columns.length &&
             columns.every((column, i) => column === this.columns[i]);
         this.columns = columns;
-        const widths = columns.map((column) => `${widthOf(column)}px`).join(" ");
-        this.element.style.setProperty("--columns", widths);
+        const widths = columns.map(widthOf);
+        this.element.style.setProperty("--columns", widths.map((width) => `${width}px`).join(" "));
+        const shares = widths.map((width) => `minmax(0, ${width}fr)`); // of a sheet of paper
+        this.element.style.setProperty("--shares", shares.join(" "));
         this.element.setAttribute("aria-colcount", String(columns.length));
         if (!isSame) {
             this.head.replaceChildren(
