@@ -51,6 +51,8 @@ class Page {
         addEventListener("hashchange", () => state.reread());
         addEventListener("popstate", () => state.reread());
         onSystemTheme(() => this.applyTheme());
+        addEventListener("beforeprint", () => this.applyTheme("light")); // paper is white
+        addEventListener("afterprint", () => this.applyTheme());
         this.show();
     }
 
@@ -113,8 +115,8 @@ class Page {
         this.show();
     }
 
-    private applyTheme(): void {
-        const theme = themeOf(this.state.get("theme", ""));
+    private applyTheme(choice = this.state.get("theme", "")): void {
+        const theme = themeOf(choice);
         this.charts.setTheme(theme);
         this.player.setTheme(theme);
     }

@@ -1,5 +1,6 @@
 // A real browser, the built program, and what tests of pages need of them.
 import { spawnSync } from "node:child_process";
+import { createHash } from "node:crypto";
 import { existsSync, mkdtempSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
@@ -13,6 +14,43 @@ const kBrowsers = [
 ];
 
 export const browserPath = kBrowsers.find((path) => path !== "" && existsSync(path));
+
+interface Watched {
+    nameOfControl: (control: Element) => string;
+    tellDriven: (name: string) => void;
+}
+
+/** Runs in the page before its own script. Controls of which there are many of a kind share a name. */
+function watchControls(): void {
+    const page = window as unknown as Watched;
+    page.nameOfControl = (control) => {
+        const kinds: [string, string][] = [
+            [".table .head button", "sort"],
+            [".filters input", "filter"],
+            [".menu input", "column"],
+            [".chart-legend input", "planner"],
+            [".chip", "status"],
+            [".panel canvas", "picture"],
+            [".play", "play"],
+        ];
+        const kind = kinds.find(([selector]) => control.matches(selector));
+        return (
+            kind?.[1] ??
+            control.getAttribute("aria-label") ??
+            control.closest("label, button, summary")?.textContent ??
+            ""
+        );
+    };
+    for (const type of ["click", "change", "input", "keydown", "pointerdown"])
+        addEventListener(
+            type,
+            ({ target }) => {
+                const control = (target as Element).closest?.("button, select, input, summary, [tabindex]");
+                if (control) page.tellDriven(page.nameOfControl(control));
+            },
+            { capture: true },
+        );
+}
 
 export class Scratch {
     readonly path = mkdtempSync(join(tmpdir(), "mrppsim-explorer-"));
@@ -34,6 +72,7 @@ export class Scratch {
 
 export class Browser {
     readonly complaints: string[] = []; // errors, dialogs, and requests for anything but the page itself
+    private readonly driven = new Set<string>(); // names of the controls that had a click, a key or a change
 
     private session: CDPSession | null = null;
 
@@ -76,7 +115,10 @@ export class Browser {
             ],
         });
         context.setDefaultTimeout(Number(process.env.MRPP_PATIENCE ?? 60_000));
-        return new Browser(context, context.pages()[0], profile);
+        const browser = new Browser(context, context.pages()[0], profile);
+        await context.exposeFunction("tellDriven", (name: string) => browser.driven.add(name));
+        await context.addInitScript(watchControls);
+        return browser;
     }
 
     async stop(): Promise<void> {
@@ -89,6 +131,18 @@ export class Browser {
         await this.page.goto("about:blank");
         await this.page.goto(`file://${file}#${hash}`);
         await this.page.waitForSelector("[role=tab]");
+    }
+
+    /** Controls in sight, inside an element, that nothing in this file has driven. */
+    async undriven(selector: string): Promise<string[]> {
+        const names = await this.page
+            .locator(selector)
+            .evaluate((element) =>
+                [...element.querySelectorAll("button, select, input, summary, [tabindex]")]
+                    .filter((control) => (control as HTMLElement).offsetParent !== null)
+                    .map((control) => (window as unknown as Watched).nameOfControl(control)),
+            );
+        return [...new Set(names)].filter((name) => !this.driven.has(name));
     }
 
     async text(selector: string): Promise<string> {
@@ -109,13 +163,28 @@ export class Browser {
         );
     }
 
-    /** The pixels of a canvas, in short. */
+    /** What tells the pixels of a canvas from others. */
     async pixels(selector: string): Promise<string> {
         await this.settle();
-        return this.page
+        const data = await this.page
             .locator(selector)
             .first()
             .evaluate((canvas) => (canvas as HTMLCanvasElement).toDataURL());
+        return createHash("sha256").update(data).digest("hex");
+    }
+
+    /** Fingers go down, move from place to place, and are lifted. */
+    async touch(places: [number, number][][]): Promise<void> {
+        const session = await this.context.newCDPSession(this.page);
+        await session.send("Emulation.setTouchEmulationEnabled", { enabled: true, maxTouchPoints: 2 });
+        for (const [i, fingers] of places.entries())
+            await session.send("Input.dispatchTouchEvent", {
+                type: i === 0 ? "touchStart" : "touchMove",
+                touchPoints: fingers.map(([x, y], id) => ({ x, y, id })),
+            });
+        await session.send("Input.dispatchTouchEvent", { type: "touchEnd", touchPoints: [] });
+        await session.send("Emulation.setTouchEmulationEnabled", { enabled: false });
+        await session.detach();
     }
 
     /** Seconds of processor time that the page's main thread has had. */

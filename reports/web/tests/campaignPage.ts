@@ -1,7 +1,7 @@
 // A real campaign's page, opened from file:// in a real browser: import this in a test file, and its tests
 // have both. A picture of each view is left in the folder MRPP_PICTURES, if that is given.
 import assert from "node:assert/strict";
-import { copyFileSync, writeFileSync } from "node:fs";
+import { copyFileSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, afterEach, before } from "node:test";
 import { Browser, Scratch, browserPath } from "./browser";
@@ -34,6 +34,38 @@ export let report: string;
 export async function picture(name: string): Promise<void> {
     const folder = process.env.MRPP_PICTURES;
     if (folder) await browser.page.screenshot({ path: join(folder, `${name}.png`) });
+}
+
+export interface Move {
+    step: number;
+    robot: number;
+    from: number;
+    to: number;
+}
+
+/** Of a solution or schedule in the scratch folder. */
+export function movesOf(file: string): Move[] {
+    const rows = readFileSync(join(scratch.path, file), "utf8").trim().split("\n").slice(1);
+    return rows.map((row) => {
+        const [step, robot, from, to] = row.split(",").map(Number);
+        return { step, robot, from, to };
+    });
+}
+
+/** Where a robot is after so many steps; undefined before its first move. */
+export function placeAfter(moves: Move[], robot: number, steps: number): number | undefined {
+    return moves.filter((move) => move.robot === robot && move.step < steps).at(-1)?.to;
+}
+
+/** The file that a button gives. */
+export async function exported(button: RegExp): Promise<Buffer> {
+    const [file] = await Promise.all([
+        browser.page.waitForEvent("download"),
+        browser.page.getByRole("button", { name: button }).first().click(),
+    ]);
+    const path = join(scratch.path, file.suggestedFilename());
+    await file.saveAs(path);
+    return readFileSync(path);
 }
 
 before(async () => {

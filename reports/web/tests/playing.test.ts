@@ -1,131 +1,51 @@
-// The player: robots are where solutions say, and every control does something.
+// The player: every control and every key does what it says.
 import assert from "node:assert/strict";
-import { copyFileSync, readFileSync, writeFileSync } from "node:fs";
+import { readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { describe, test } from "node:test";
 import { browser, picture, report, scratch } from "./campaignPage";
 
-type Move = { step: number; robot: number; from: number; to: number };
-
-function movesOf(file: string): Move[] {
-    const rows = readFileSync(join(scratch.path, file), "utf8").trim().split("\n").slice(1);
-    return rows.map((row) => {
-        const [step, robot, from, to] = row.split(",").map(Number);
-        return { step, robot, from, to };
-    });
-}
-
-/** Where a robot is after so many steps. */
-function placeAfter(moves: Move[], robot: number, steps: number): number {
-    const own = moves.filter((move) => move.robot === robot);
-    const done = own.filter((move) => move.step < steps);
-    return done.length > 0 ? done[done.length - 1].to : own[0].from;
-}
-
-/** The vertex that the page names for the robot that is followed. */
-async function shownPlaces(): Promise<number[]> {
-    return [...(await browser.readout()).matchAll(/on vertex (\d+)/g)].map((match) => Number(match[1]));
-}
+const kCanvas = ".panel canvas";
 
 async function goToStep(step: number): Promise<void> {
     await browser.page.getByLabel("Step", { exact: true }).fill(String(step));
     await browser.page.getByLabel("Step", { exact: true }).press("Enter");
+    await waitForReadout(`Step ${step} of`);
+}
+
+async function waitForReadout(start: string): Promise<void> {
     await browser.page.waitForFunction(
-        (wanted) => document.querySelector(".readout")?.textContent?.startsWith(`Step ${wanted} of`),
-        step,
+        (wanted) => document.querySelector(".readout")?.textContent?.startsWith(wanted),
+        start,
     );
+}
+
+/** The step of the first solution that the page names. */
+async function step(): Promise<number> {
+    return Number((await browser.readout()).match(/^Step (\d+) of/)![1]);
+}
+
+async function changes(what: string, act: () => Promise<unknown>, selector = kCanvas): Promise<void> {
+    const old = await browser.pixels(selector);
+    await act();
+    assert.notEqual(await browser.pixels(selector), old, what);
+}
+
+async function keeps(what: string, act: () => Promise<unknown>): Promise<void> {
+    const old = await browser.pixels(kCanvas);
+    await act();
+    assert.equal(await browser.pixels(kCanvas), old, what);
 }
 
 describe("player", () => {
     const press = (name: string | RegExp): Promise<void> =>
         browser.page.getByRole("button", { name }).first().click();
 
-    test("robots are where the solution says", async () => {
-        const index = (await movesOfCase("public_benchmark/room/robots=40/0")).index;
-        const moves = movesOf("out/solutions/public_benchmark/room/robots=40/0.push_and_swap.csv");
-        await browser.open(report, `view=player&p=${index}:moves`);
-        await browser.readout();
-        const length = moves[moves.length - 1].step + 1;
-        for (const robot of [0, 7, 39]) {
-            await browser.page.getByLabel("Robot to follow").fill(String(robot));
-            await browser.page.getByLabel("Robot to follow").press("Enter");
-            for (const step of [0, 1, 17, 100, Math.floor(length / 2), length - 1, length]) {
-                await goToStep(step);
-                assert.deepEqual(
-                    await shownPlaces(),
-                    [placeAfter(moves, robot, step)],
-                    `robot ${robot} after step ${step}`,
-                );
-            }
-        }
-    });
-
-    test("a condensed solution is the program's own schedule, and lengths are those of the table", async () => {
-        scratch.mrppsim([
-            "generate",
-            "grid",
-            "--side",
-            "8",
-            "--graph",
-            "g.map",
-            "--robots",
-            "12",
-            "--instance",
-            "g.scen",
-            "--solvable",
-        ]);
-        scratch.mrppsim([
-            "solve",
-            "--graph",
-            "g.map",
-            "--instance",
-            "g.scen",
-            "--planner",
-            "push_and_rotate",
-            "--solution",
-            "moves.csv",
-            "--schedule",
-            "steps.csv",
-        ]);
-        scratch.mrppsim([
-            "view",
-            "--graph",
-            "g.map",
-            "--instance",
-            "g.scen",
-            "--solution",
-            "moves.csv",
-            "--solution",
-            "steps.csv",
-            "-o",
-            "view.html",
-        ]);
-        const schedule = movesOf("steps.csv");
-        const length = schedule[schedule.length - 1].step + 1;
-        await browser.open(join(scratch.path, "view.html"), "p=0:steps~1:steps&follow=3");
-        assert.match(await browser.readout(), new RegExp(`^Step 0 of ${length},.* · Step 0 of ${length},`));
-        for (let step = 0; step <= length; step += Math.max(1, Math.floor(length / 9))) {
-            await goToStep(step);
-            const place = placeAfter(schedule, 3, step);
-            assert.deepEqual(await shownPlaces(), [place, place]);
-        }
-    });
-
     test("every control does something", async () => {
         const { index, optimized } = await movesOfCase("public_benchmark/room/robots=20/0");
         assert.ok(optimized);
         await browser.open(report, `view=player&p=${index}:steps&follow=3`);
         await browser.readout();
-        const canvas = ".panel canvas";
-        const changes = async (
-            what: string,
-            act: () => Promise<unknown>,
-            selector = canvas,
-        ): Promise<void> => {
-            const old = await browser.pixels(selector);
-            await act();
-            assert.notEqual(await browser.pixels(selector), old, what);
-        };
         const page = browser.page;
         await changes("forward", () => press(/^A step on/));
         assert.match(await browser.readout(), /^Step 1 of/);
@@ -154,7 +74,7 @@ describe("player", () => {
         await changes("larger again", () => press(/^Larger/));
         await changes("everything", () => press(/^Show everything/));
         await changes("wheel", async () => {
-            await page.locator(canvas).hover();
+            await page.locator(kCanvas).hover();
             await page.mouse.wheel(0, -400);
         });
         await changes("dragging", async () => {
@@ -188,121 +108,119 @@ describe("player", () => {
         await picture("player-graph");
     });
 
-    test("no control is left out of these tests", async () => {
-        await browser.open(report, "view=player");
+    test("every key does what it says", async () => {
+        const { index } = await movesOfCase("public_benchmark/room/robots=20/0");
+        await browser.open(report, `view=player&p=${index}:steps`);
         await browser.readout();
-        const names = await browser.page
-            .locator("#view-player")
-            .locator("button, select, input, [tabindex]")
-            .evaluateAll((elements) =>
-                elements
-                    .filter((element) => (element as HTMLElement).offsetParent !== null)
-                    .map(
-                        (element) =>
-                            element.getAttribute("aria-label") ??
-                            element.closest("label")?.textContent?.slice(0, 12) ??
-                            "",
-                    ),
-            );
-        assert.equal(names.filter((name) => name === "").length, 0, "all have names");
-        assert.equal(names.length, 27, names.join("; "));
-    });
-
-    test("keys play, step, enlarge and follow", async () => {
-        await browser.open(report, "view=player");
-        await browser.readout();
-        const page = browser.page;
-        await page.locator(".panel canvas").focus();
-        for (const [key, start] of [
-            ["ArrowRight", "Step 1 of"],
-            ["ArrowRight", "Step 2 of"],
-            ["ArrowLeft", "Step 1 of"],
-            ["End", "Step "],
-            ["Home", "Step 0 of"],
+        const { page } = browser;
+        const key = (name: string): Promise<void> => page.keyboard.press(name);
+        const stepAfter = async (name: string): Promise<number> => {
+            await key(name);
+            return step();
+        };
+        await page.locator(kCanvas).focus();
+        assert.equal(await stepAfter("ArrowRight"), 1);
+        assert.equal(await stepAfter("ArrowRight"), 2);
+        assert.equal(await stepAfter("ArrowLeft"), 1);
+        const last = await stepAfter("End");
+        assert.match(await browser.readout(), new RegExp(`^Step ${last} of ${last},`));
+        assert.equal(await stepAfter("Home"), 0);
+        for (const [there, back] of [
+            ["+", "-"],
+            ["ArrowUp", "ArrowDown"],
+            ["Shift+ArrowLeft", "Shift+ArrowRight"],
         ]) {
-            await page.keyboard.press(key);
-            assert.ok((await browser.readout()).startsWith(start), key);
+            await keeps(`${there} and ${back}`, async () => {
+                await changes(there, () => key(there));
+                await key(back);
+            });
         }
-        for (const key of [
-            "+",
-            "-",
-            "ArrowUp",
-            "ArrowDown",
-            "Shift+ArrowLeft",
-            "0",
-            "n",
-            "p",
-            "]",
-            "[",
-            "k",
-            "k",
-            "Escape",
-        ])
-            await page.keyboard.press(key);
-        await page.waitForURL(/speed=/);
-        await page.keyboard.press(" ");
-        await page.waitForFunction(() =>
-            document.querySelector(".play")?.getAttribute("aria-label")?.startsWith("Pause"),
-        );
-        await page.keyboard.press(" ");
-        await page.waitForFunction(() =>
-            document.querySelector(".play")?.getAttribute("aria-label")?.startsWith("Play"),
-        );
+        await key("+");
+        await changes("0", () => key("0"));
+        await page.locator(".strip").focus();
+        const kTwentieth = Math.floor(last / 20);
+        assert.equal(await stepAfter("ArrowUp"), kTwentieth);
+        assert.equal(await stepAfter("ArrowRight"), kTwentieth + 1);
+        assert.equal(await stepAfter("ArrowDown"), Math.floor(kTwentieth + 1 - last / 20));
+        const speed = page.getByLabel("Speed", { exact: true });
+        await speed.selectOption("10");
+        await page.locator(".strip").focus();
+        await key("]");
+        assert.equal(await speed.inputValue(), "20");
+        await key("[");
+        await key("[");
+        assert.equal(await speed.inputValue(), "5");
+        for (const name of [" ", "k"]) {
+            await key(name);
+            await page.waitForFunction(() => document.querySelector(".play")?.textContent === "❚❚");
+            await key(name);
+            await page.waitForFunction(() => document.querySelector(".play")?.textContent === "▶");
+        }
+        const follow = page.getByLabel("Robot to follow");
+        await follow.fill("3");
+        await follow.press("Enter");
+        await page.waitForURL(/follow=3/);
+        await page.locator(kCanvas).focus();
+        await key("Escape");
+        assert.equal(await follow.inputValue(), "");
     });
 
-    test("a robot that is clicked is followed; two fingers enlarge", async () => {
+    test("a robot that is clicked is followed; two fingers enlarge, one moves", async () => {
         await browser.open(report, "view=player&goals=0");
         await browser.readout();
-        const box = (await browser.page.locator(".panel canvas").boundingBox())!;
+        const box = (await browser.page.locator(kCanvas).boundingBox())!;
         const followed = (): Promise<string> => browser.page.getByLabel("Robot to follow").inputValue();
         for (let y = 10; y < box.height && (await followed()) === ""; y += 16)
             for (let x = 10; x < box.width && (await followed()) === ""; x += 16)
                 await browser.page.mouse.click(box.x + x, box.y + y);
         assert.match(await followed(), /^\d+$/);
-        const old = await browser.pixels(".panel canvas");
-        await browser.page.locator(".panel canvas").evaluate((canvas) => {
-            const send = (type: string, id: number, x: number): void => {
-                canvas.dispatchEvent(
-                    new PointerEvent(type, {
-                        pointerId: id,
-                        pointerType: "touch",
-                        clientX: x,
-                        clientY: 300,
-                        bubbles: true,
-                    }),
-                );
-            };
-            canvas.setPointerCapture = () => undefined;
-            send("pointerdown", 2, 400);
-            send("pointerdown", 3, 500);
-            send("pointermove", 3, 700);
-            send("pointerup", 3, 700);
-            send("pointerup", 2, 400);
+        await browser.page.mouse.click(box.x + 3, box.y + 3);
+        assert.equal(await followed(), "", "a click beside all robots follows nobody");
+
+        const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+        await keeps("enlarging and double-clicking", async () => {
+            await changes("two fingers", () =>
+                browser.touch([
+                    [
+                        [x - 40, y],
+                        [x + 40, y],
+                    ],
+                    [
+                        [x - 90, y],
+                        [x + 90, y],
+                    ],
+                    [
+                        [x - 140, y],
+                        [x + 140, y],
+                    ],
+                ]),
+            );
+            await changes("one finger", () =>
+                browser.touch([[[x, y]], [[x + 50, y + 20]], [[x + 90, y + 40]]]),
+            );
+            await browser.page.mouse.dblclick(box.x + 3, box.y + 3);
         });
-        assert.notEqual(await browser.pixels(".panel canvas"), old);
     });
 
-    test("frames and animations become files", async () => {
-        await browser.open(report, "view=player&t=4&speed=20");
+    test("the strip is scrubbed", async () => {
+        await browser.open(report, "view=player");
         await browser.readout();
-        const begins: [string, RegExp, string][] = [
-            ["This frame as PNG", /^\x89PNG/, "png"],
-            ["This frame as SVG", /^<svg [\s\S]*<\/svg>\n$/, "svg"],
-            ["The animation as GIF", /^GIF89a[\s\S]*;$/, "gif"],
-            ["The animation as WebM", /^\x1aE\xdf\xa3/, "webm"],
-        ];
-        for (const [name, start, extension] of begins) {
-            const [file] = await Promise.all([
-                browser.page.waitForEvent("download"),
-                press(new RegExp(`^${name}`)),
-            ]);
-            assert.ok(file.suggestedFilename().endsWith(`.${extension}`));
-            const path = join(scratch.path, `export.${extension}`);
-            await file.saveAs(path);
-            assert.match(readFileSync(path, "latin1"), start, extension);
-            if (process.env.MRPP_PICTURES)
-                copyFileSync(path, join(process.env.MRPP_PICTURES, `export.${extension}`));
+        const box = (await browser.page.locator(".strip").boundingBox())!;
+        const { mouse } = browser.page;
+        await mouse.move(box.x + 1, box.y + 20);
+        await mouse.down();
+        const seen: number[] = [];
+        for (const share of [0.25, 0.5, 0.75, 1]) {
+            await mouse.move(box.x + 1 + share * (box.width - 2), box.y + 20);
+            seen.push(await step());
         }
+        await mouse.up();
+        const last = seen[3];
+        assert.match(await browser.readout(), new RegExp(`^Step ${last} of ${last},`));
+        assert.deepEqual(
+            seen,
+            [0.25, 0.5, 0.75, 1].map((share) => Math.floor(share * last)),
+        );
     });
 
     test("conflicts and rotations are found and reached", async () => {
@@ -328,6 +246,19 @@ describe("player", () => {
         await picture("conflict");
         await press(/^To the conflict or rotation before/);
         assert.match(await browser.text(".words"), /turn in a cycle/);
+    });
+
+    test("no control is left out of these tests", async () => {
+        await browser.open(report, "view=player");
+        await browser.readout();
+        await browser.page.getByRole("button", { name: /^Show another solution/ }).click();
+        await browser.page.waitForFunction(() => document.querySelectorAll(".panel").length === 2);
+        assert.deepEqual(
+            (await browser.undriven("#view-player")).filter(
+                (name) => !/^(This frame|The animation)/.test(name),
+            ),
+            [], // the others are in exports.test.ts
+        );
     });
 
     /** Index of push_and_swap's solution of a case. */

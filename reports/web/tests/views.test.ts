@@ -81,6 +81,22 @@ describe("charts", () => {
         await browser.page.waitForURL(/hide=0/);
     });
 
+    test("dragging enlarges a part, a double click shows the whole again", async () => {
+        await browser.open(report, "view=charts&chart=scatter&x=robots&y=time&problem=");
+        const whole = await browser.pixels(".plot canvas");
+        const box = (await browser.page.locator(".u-over").boundingBox())!;
+        const { mouse } = browser.page;
+        await mouse.move(box.x + 0.2 * box.width, box.y + 0.2 * box.height);
+        await mouse.down();
+        await mouse.move(box.x + 0.6 * box.width, box.y + 0.7 * box.height, { steps: 4 });
+        await mouse.up();
+        assert.notEqual(await browser.pixels(".plot canvas"), whole);
+        assert.ok(await browser.page.locator("#view-charts").isVisible(), "the drag is not a click on a dot");
+        await mouse.dblclick(box.x + 5, box.y + 5);
+        await mouse.move(0, 0);
+        assert.equal(await browser.pixels(".plot canvas"), whole);
+    });
+
     test("the address brings back the same chart", async () => {
         await browser.open(report, "view=charts&chart=cactus&y=makespan");
         assert.equal(await select("Chart").inputValue(), "cactus");
@@ -158,7 +174,16 @@ describe("runs", () => {
         for (let i = 0; i < 9; ++i) await browser.page.keyboard.press("ArrowDown");
         await browser.page.waitForSelector(".details h2");
         assert.equal(await browser.page.locator(".row[aria-selected=true]").count(), 1);
-        await browser.page.keyboard.press("End");
+        const rowAfter = async (key: string): Promise<number> => {
+            await browser.page.keyboard.press(key);
+            const row = browser.page.locator(".row[aria-selected=true]");
+            return Number(await row.getAttribute("aria-rowindex")) - 3;
+        };
+        assert.equal(await rowAfter("Home"), 0);
+        assert.equal(await rowAfter("ArrowDown"), 1);
+        assert.ok((await rowAfter("PageDown")) > 5);
+        assert.ok((await rowAfter("PageUp")) < 5);
+        assert.equal(await rowAfter("End"), 23);
         const command = await browser.text(".replay code");
         assert.ok(command.startsWith(`mrppsim replay ${scratch.path}/out `), command);
         scratch.mrppsim(command.split(" ").slice(1));
@@ -218,5 +243,36 @@ describe("looks", () => {
             execFileSync("pdftotext", ["-layout", path, "-"], { encoding: "utf8" }),
             /Planner[\s\S]*bibox[\s\S]*biconnecte/,
         );
+    });
+});
+
+describe("everything", () => {
+    test("tabs are reached by clicks and keys, and the way back leads back", async () => {
+        await browser.open(report);
+        const { page } = browser;
+        const seen = (): Promise<string | null> =>
+            page.locator("[role=tabpanel]:not([hidden])").getAttribute("id");
+        for (const view of ["charts", "runs", "player", "overview"]) {
+            await page.locator(`#tab-${view}`).click();
+            assert.equal(await seen(), `view-${view}`);
+        }
+        for (const view of ["charts", "runs"]) {
+            await page.keyboard.press("ArrowRight");
+            assert.equal(await seen(), `view-${view}`);
+        }
+        await page.keyboard.press("ArrowLeft");
+        assert.equal(await seen(), "view-charts");
+        await page.goBack();
+        assert.equal(await seen(), "view-runs");
+    });
+
+    test("no control is left out of these tests", async () => {
+        for (const hash of ["overview", "charts", "charts&chart=versus", "runs&run=0"]) {
+            await browser.open(report, `view=${hash}`);
+            if (hash.startsWith("runs")) await browser.page.locator(".columns summary").click();
+            await browser.settle();
+            const left = (await browser.undriven("#page")).filter((name) => name !== "This chart as PNG");
+            assert.deepEqual(left, [], hash); // that one is in exports.test.ts
+        }
     });
 });

@@ -72,15 +72,15 @@ export function textColorOn(color: string): string {
 }
 
 // Some colours of the map "viridis", which grows lighter evenly and is told apart by colour-blind readers.
-const kRamp = ["#440154", "#414487", "#2a788e", "#22a884", "#7ad151", "#fde725"].map(channels);
+export const kRamp = ["#440154", "#414487", "#2a788e", "#22a884", "#7ad151", "#fde725"];
 
 /** A colour for a share from 0 to 1. */
 export function rampColor(share: number): [number, number, number] {
     const at = Math.min(Math.max(share, 0), 1) * (kRamp.length - 1);
     const below = Math.min(Math.floor(at), kRamp.length - 2);
     const part = at - below;
-    const mixed = [0, 1, 2].map((i) => Math.round(kRamp[below][i] * (1 - part) + kRamp[below + 1][i] * part));
-    return mixed as [number, number, number];
+    const [from, to] = [channels(kRamp[below]), channels(kRamp[below + 1])];
+    return from.map((low, i) => Math.round(low * (1 - part) + to[i] * part)) as [number, number, number];
 }
 
 export function cssColor([red, green, blue]: [number, number, number]): string {

@@ -2,13 +2,8 @@
 // heat.
 import { type Graph, kUnit } from "../data/graph";
 import { type Theme, channels, cssColor, rampColor } from "../page/theme";
-import type { Camera } from "./camera";
 import type { Pen } from "./pen";
-
-export interface BaseOptions {
-    blocks: boolean;
-    heat: Float64Array | null; // a number a vertex
-}
+import type { View } from "./view";
 
 /** A vertex' size in the graph's unit, and on the screen where it would vanish. */
 export const kVertexRadius = 0.3 * kUnit;
@@ -24,21 +19,15 @@ export class Base {
         this.top = graph.y.reduce((least, y) => Math.min(least, y), Infinity);
     }
 
-    draw(pen: Pen, camera: Camera, theme: Theme, options: BaseOptions, width: number, height: number): void {
-        pen.clear(width, height, this.graph.isGrid ? theme.background : theme.cell);
-        if (this.graph.isGrid) this.drawCells(pen, camera, theme, options, width, height);
-        else this.drawGraph(pen, camera, theme, options, width, height);
+    draw(pen: Pen, view: View): void {
+        pen.clear(view.width, view.height, this.graph.isGrid ? view.theme.background : view.theme.cell);
+        if (this.graph.isGrid) this.drawCells(pen, view);
+        else this.drawGraph(pen, view);
     }
 
-    private drawCells(
-        pen: Pen,
-        camera: Camera,
-        theme: Theme,
-        options: BaseOptions,
-        width: number,
-        height: number,
-    ): void {
-        const picture = this.cells(theme, options);
+    private drawCells(pen: Pen, view: View): void {
+        const { camera, theme, width, height } = view;
+        const picture = this.cells(view);
         const cell = kUnit * camera.scale;
         const x = camera.screenX(this.left) - cell / 2;
         const y = camera.screenY(this.top) - cell / 2;
@@ -61,8 +50,8 @@ export class Base {
         pen.lines(lines, theme.background, 1);
     }
 
-    private cells(theme: Theme, options: BaseOptions): HTMLCanvasElement {
-        const key = [theme, options.blocks, options.heat];
+    private cells(view: View): HTMLCanvasElement {
+        const key = [view.theme, view.blocks, view.heat, view.heatMost];
         if (this.picture && key.every((part, i) => part === this.pictureKey[i])) return this.picture;
         const { graph } = this;
         const columns = graph.x.reduce((most, x) => Math.max(most, (x - this.left) / kUnit), 0) + 1;
@@ -72,7 +61,7 @@ export class Base {
         picture.height = rows;
         const context = picture.getContext("2d")!;
         const pixels = context.createImageData(columns, rows);
-        const colors = this.vertexColors(theme, options);
+        const colors = this.vertexColors(view);
         for (let v = 0; v < graph.vertexCount; ++v) {
             const at = 4 * (((graph.y[v] - this.top) / kUnit) * columns + (graph.x[v] - this.left) / kUnit);
             pixels.data.set(colors(v), at);
@@ -84,25 +73,24 @@ export class Base {
         return picture;
     }
 
-    private vertexColors(theme: Theme, options: BaseOptions): (vertex: number) => [number, number, number] {
+    private vertexColors({
+        theme,
+        blocks,
+        heat,
+        heatMost,
+    }: View): (vertex: number) => [number, number, number] {
         const plain = channels(theme.cell);
-        if (options.heat) {
-            const share = heatShares(options.heat);
-            return (vertex) => (options.heat![vertex] > 0 ? rampColor(share(vertex)) : plain);
+        if (heat) {
+            const share = (vertex: number): number => Math.log1p(heat[vertex]) / Math.log1p(heatMost);
+            return (vertex) => (heat[vertex] > 0 ? rampColor(share(vertex)) : plain);
         }
-        if (!options.blocks) return () => plain;
+        if (!blocks) return () => plain;
         const tints = this.tints(theme).map((tint) => (tint === null ? plain : channels(tint)));
         return (vertex) => tints[vertex];
     }
 
-    private drawGraph(
-        pen: Pen,
-        camera: Camera,
-        theme: Theme,
-        options: BaseOptions,
-        width: number,
-        height: number,
-    ): void {
+    private drawGraph(pen: Pen, view: View): void {
+        const { camera, theme, width, height, blocks, heat } = view;
         const { graph } = this;
         const seen = camera.seen(width, height);
         const isSeen = (v: number): boolean =>
@@ -115,7 +103,7 @@ export class Base {
             const a = graph.edges[2 * edge];
             const b = graph.edges[2 * edge + 1];
             if (!isSeen(a) && !isSeen(b)) continue;
-            const color = options.blocks ? this.edgeColor(edge, theme) : theme.edge;
+            const color = blocks ? this.edgeColor(edge, theme) : theme.edge;
             let lines = byColor.get(color);
             if (!lines) byColor.set(color, (lines = []));
             lines.push(
@@ -130,29 +118,21 @@ export class Base {
             pen.lines(
                 lines,
                 color,
-                color === theme.isthmus
-                    ? 2.5 * thin
-                    : options.blocks && color !== theme.edge
-                      ? 3.5 * thin
-                      : thin,
+                color === theme.isthmus ? 2.5 * thin : blocks && color !== theme.edge ? 3.5 * thin : thin,
             );
 
         const radius = kVertexRadius * camera.scale;
         const kSmallest = 1.6;
-        if (radius < kSmallest && !options.heat) return;
-        const share = options.heat ? heatShares(options.heat) : null;
-        for (let v = 0; v < graph.vertexCount; ++v) {
-            if (!isSeen(v)) continue;
-            const fill = share && options.heat![v] > 0 ? cssColor(rampColor(share(v))) : theme.cell;
-            pen.circle(
-                camera.screenX(graph.x[v]),
-                camera.screenY(graph.y[v]),
-                Math.max(radius, kSmallest),
-                fill,
-                theme.edge,
-                thin,
-            );
-        }
+        if (radius < kSmallest && !heat) return;
+        const colors = heat ? this.vertexColors(view) : null;
+        for (let v = 0; v < graph.vertexCount; ++v)
+            if (isSeen(v))
+                pen.circle(
+                    camera.screenX(graph.x[v]),
+                    camera.screenY(graph.y[v]),
+                    Math.max(radius, kSmallest),
+                    { fill: colors ? cssColor(colors(v)) : theme.cell, stroke: theme.edge, width: thin },
+                );
     }
 
     private edgeColor(edge: number, theme: Theme): string {
@@ -177,11 +157,4 @@ export class Base {
                   : theme.blocks[block % theme.blocks.length],
         );
     }
-}
-
-/** From 0 to 1 on a logarithmic scale. */
-function heatShares(heat: Float64Array): (vertex: number) => number {
-    let most = 1;
-    for (const value of heat) most = Math.max(most, value);
-    return (vertex) => Math.log1p(heat[vertex]) / Math.log1p(most);
 }

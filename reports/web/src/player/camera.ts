@@ -1,5 +1,10 @@
 // Which part of the graph is shown: screen = graph · scale + offset, in CSS pixels.
 
+export interface Point {
+    x: number;
+    y: number;
+}
+
 export interface Box {
     left: number;
     top: number;
@@ -58,6 +63,10 @@ export class Camera {
 
     screenY(y: number): number {
         return y * this.scale + this.offsetY;
+    }
+
+    screen({ x, y }: Point): Point {
+        return { x: this.screenX(x), y: this.screenY(y) };
     }
 
     /** What is seen, in the graph's numbers. */

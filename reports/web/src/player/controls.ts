@@ -22,8 +22,12 @@ export const kSpeeds = [0.25, 0.5, 1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 200
 const kHeats: [string, string][] = [
     ["none", "none"],
     ["traffic", "moves over a vertex"],
-    ["waiting", "waiting on a vertex"],
+    ["waiting", "steps of waiting on a vertex"],
 ];
+
+export function heatName(kind: string): string {
+    return kHeats.find(([name]) => name === kind)?.[1] ?? "";
+}
 
 export class PlayerControls {
     readonly element = el("div", {

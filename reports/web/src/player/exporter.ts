@@ -1,14 +1,13 @@
 // The buttons that make files of what the player shows.
 import { button, download, el, fileName } from "../page/dom";
 import type { Theme } from "../page/theme";
-import { type Recording, canRecordVideo, gifOf, pngOf, svgOf, webmOf } from "./export";
-import type { Panel } from "./panel";
-import type { SceneOptions } from "./scene";
+import { type Recording, type Shown, canEncodeVideo, composed, gifOf, pngOf, svgOf, webmOf } from "./export";
+import type { Marks } from "./view";
 
 export interface Stage {
-    panels: () => Panel[];
+    shown: () => Shown[];
     theme: () => Theme;
-    options: (panel: number) => SceneOptions;
+    marks: (panel: number) => Marks;
     name: () => string; // of the case
     length: () => number;
     speed: () => number;
@@ -19,6 +18,7 @@ export interface Stage {
 export class Exporter {
     readonly element = el("div", { class: "bar", role: "group", "aria-label": "Export" });
     private readonly progress = el("progress", { max: 1, value: 0, "aria-label": "Progress of the export" });
+    private readonly failure = el("output", { class: "quiet" });
     private readonly cancel: HTMLButtonElement;
     private isCancelled = false;
 
@@ -31,8 +31,9 @@ export class Exporter {
             button("GIF", "The animation as GIF", () => void this.saveGif()),
             this.progress,
             this.cancel,
+            this.failure,
         );
-        if (canRecordVideo())
+        if (canEncodeVideo())
             this.progress.before(
                 button("WebM", "The animation as WebM, at the chosen speed", () => void this.saveWebm()),
             );
@@ -49,18 +50,13 @@ export class Exporter {
     }
 
     private async savePng(): Promise<void> {
-        download(`${this.frameName()}.png`, await pngOf(this.stage.panels(), this.stage.theme()));
+        download(`${this.frameName()}.png`, await pngOf(composed(this.stage.shown(), this.stage.theme())));
     }
 
     private saveSvg(): void {
-        this.stage.panels().forEach((panel, i) => {
+        this.stage.shown().forEach(({ panel, caption }, i) => {
             const suffix = i === 0 ? "" : `-${i + 1}`;
-            const svg = svgOf(
-                panel,
-                this.stage.theme(),
-                this.stage.options(i),
-                panel.canvas.getAttribute("aria-label") ?? "",
-            );
+            const svg = svgOf(panel, this.stage.theme(), this.stage.marks(i), caption);
             download(`${this.frameName()}${suffix}.svg`, svg);
         });
     }
@@ -72,17 +68,13 @@ export class Exporter {
         const seconds = this.stage.length() / this.stage.speed();
         const frames = Math.min(Math.max(Math.round(seconds * kFramesASecond), 2), kMostFrames);
         const hundredths = Math.max(Math.round((100 * seconds) / frames), 4);
-        return this.save("gif", (recording) =>
-            gifOf(this.stage.panels(), this.stage.theme(), recording, frames, Math.min(hundredths, 50)),
-        );
+        return this.save("gif", (recording) => gifOf(recording, frames, Math.min(hundredths, 50)));
     }
 
     private saveWebm(): Promise<void> {
         const kMostSeconds = 60;
         const seconds = Math.min(this.stage.length() / this.stage.speed(), kMostSeconds);
-        return this.save("webm", (recording) =>
-            webmOf(this.stage.panels(), this.stage.theme(), recording, seconds),
-        );
+        return this.save("webm", (recording) => webmOf(recording, seconds));
     }
 
     private async save(
@@ -92,14 +84,23 @@ export class Exporter {
         const time = this.stage.time();
         this.isCancelled = false;
         this.showProgress(true);
-        const file = await make({
-            length: this.stage.length(),
-            draw: (at) => this.stage.drawAt(at),
-            onProgress: (share) => (this.progress.value = share),
-            isCancelled: () => this.isCancelled,
-        });
-        this.showProgress(false);
-        this.stage.drawAt(time);
-        if (file) download(`${fileName(this.stage.name())}.${extension}`, file);
+        this.failure.textContent = "";
+        try {
+            const file = await make({
+                length: this.stage.length(),
+                pictureAt: (at, mostPixels) => {
+                    this.stage.drawAt(at);
+                    return composed(this.stage.shown(), this.stage.theme(), mostPixels);
+                },
+                onProgress: (share) => (this.progress.value = share),
+                isCancelled: () => this.isCancelled,
+            });
+            if (file) download(`${fileName(this.stage.name())}.${extension}`, file);
+        } catch (error) {
+            this.failure.textContent = `This browser could not make the file: ${String(error)}`;
+        } finally {
+            this.showProgress(false);
+            this.stage.drawAt(time);
+        }
     }
 }

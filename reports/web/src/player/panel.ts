@@ -2,10 +2,13 @@
 import { kUnit } from "../data/graph";
 import { el } from "../page/dom";
 import type { Theme } from "../page/theme";
-import { type Box, Camera, boundsOf } from "./camera";
+import { type Box, Camera, type Point, boundsOf } from "./camera";
 import type { Pen } from "./pen";
-import { Scene, type SceneOptions } from "./scene";
+import { Scene } from "./scene";
 import type { Track } from "./track";
+import type { Marks, View } from "./view";
+
+const kClick = 4; // pixels that a pointer may move while it clicks
 
 export interface PanelEvents {
     onCamera: (panel: Panel) => void; // the user has moved or zoomed
@@ -22,7 +25,7 @@ export class Panel {
     private isFitted = true; // until the user moves the picture
     private box: Box = { left: 0, top: 0, right: 0, bottom: 0 };
     private time = 0;
-    private readonly pointers = new Map<number, { x: number; y: number }>();
+    private readonly pointers = new Map<number, Point>();
     private moved = 0; // pixels since the pointer went down
 
     constructor(
@@ -88,24 +91,27 @@ export class Panel {
         else this.camera.copy(other.camera);
     }
 
-    draw(time: number, theme: Theme, options: SceneOptions, keepInView: number): void {
+    draw(time: number, theme: Theme, marks: Marks): void {
         if (!this.scene || !this.currentTrack || this.canvas.width === 0) return;
         this.time = Math.min(time, this.currentTrack.length);
-        if (keepInView >= 0) this.keepInView(keepInView);
-        this.scene.drawOn(this.context, this.pixels, this.camera, theme, options, this.time);
+        if (marks.followed >= 0) this.keepInView(marks.followed);
+        this.scene.drawOn(this.context, this.pixels, this.view(theme, marks), this.time);
     }
 
     /** The same picture by another pen. */
-    drawWith(pen: Pen, theme: Theme, options: SceneOptions): void {
-        this.scene?.draw(
-            pen,
-            this.camera,
+    drawWith(pen: Pen, theme: Theme, marks: Marks): void {
+        this.scene?.draw(pen, this.view(theme, marks), this.time);
+    }
+
+    private view(theme: Theme, marks: Marks): View {
+        const { width, height } = this.canvas;
+        return {
+            ...marks,
+            camera: this.camera,
             theme,
-            options,
-            this.time,
-            this.canvas.clientWidth,
-            this.canvas.clientHeight,
-        );
+            width: width / this.pixels,
+            height: height / this.pixels,
+        };
     }
 
     /** Marks the vertices that are seen; null where all are. */
@@ -123,20 +129,14 @@ export class Panel {
 
     private keepInView(robot: number): void {
         if (!this.scene || robot >= this.scene.instance.starts.length) return;
-        const { x, y } = this.scene.place(robot, this.time);
-        const { clientWidth: width, clientHeight: height } = this.canvas;
-        const screenX = this.camera.screenX(x);
-        const screenY = this.camera.screenY(y);
-        const kMargin = 0.15;
-        if (
-            screenX > kMargin * width &&
-            screenX < (1 - kMargin) * width &&
-            screenY > kMargin * height &&
-            screenY < (1 - kMargin) * height
-        )
-            return;
         if (this.isFitted) return; // everything is seen
-        this.camera.center(x, y, width, height);
+        const { clientWidth: width, clientHeight: height } = this.canvas;
+        const place = this.scene.place(robot, this.time);
+        const { x, y } = this.camera.screen(place);
+        const kMargin = 0.15;
+        const isInside = (at: number, size: number): boolean =>
+            at > kMargin * size && at < (1 - kMargin) * size;
+        if (!isInside(x, width) || !isInside(y, height)) this.camera.center(place.x, place.y, width, height);
     }
 
     private onWheel(event: WheelEvent): void {
@@ -163,10 +163,10 @@ export class Panel {
         this.moved += Math.abs(now.x - before.x) + Math.abs(now.y - before.y);
         const other = [...this.pointers].find(([id]) => id !== event.pointerId)?.[1];
         if (!other) {
-            this.pan(now.x - before.x, now.y - before.y);
+            if (this.moved >= kClick) this.pan(now.x - before.x, now.y - before.y);
             return;
         }
-        const distance = (a: { x: number; y: number }): number => Math.hypot(a.x - other.x, a.y - other.y);
+        const distance = (a: Point): number => Math.hypot(a.x - other.x, a.y - other.y);
         this.zoom(
             distance(now) / Math.max(distance(before), 1),
             (now.x + other.x) / 2,
@@ -177,8 +177,9 @@ export class Panel {
 
     private onUp(event: PointerEvent): void {
         this.pointers.delete(event.pointerId);
-        const kClick = 4; // pixels
         if (event.type === "pointerup" && this.pointers.size === 0 && this.moved < kClick && this.scene)
-            this.events.onPick(this.scene.robotAt(event.offsetX, event.offsetY, this.camera, this.time));
+            this.events.onPick(
+                this.scene.robotAt({ x: event.offsetX, y: event.offsetY }, this.camera, this.time),
+            );
     }
 }

@@ -1,27 +1,20 @@
 // What scenes are drawn with: a canvas, or an SVG file of the same picture. Sizes are CSS pixels.
 
+/** Colours; what has none is not drawn. */
+export interface Paint {
+    fill?: string;
+    stroke?: string;
+    width?: number; // of the stroke
+}
+
 export interface Pen {
     clear(width: number, height: number, color: string): void;
     /** Straight lines x1, y1, x2, y2, …. */
     lines(coordinates: ArrayLike<number>, color: string, width: number): void;
     /** One line through all points x, y, …. */
     polyline(coordinates: ArrayLike<number>, color: string, width: number, opacity: number): void;
-    circle(
-        x: number,
-        y: number,
-        radius: number,
-        fill: string | null,
-        stroke: string | null,
-        width: number,
-    ): void;
-    square(
-        x: number,
-        y: number,
-        radius: number,
-        fill: string | null,
-        stroke: string | null,
-        width: number,
-    ): void;
+    circle(x: number, y: number, radius: number, paint: Paint): void;
+    square(x: number, y: number, radius: number, paint: Paint): void;
     text(x: number, y: number, text: string, color: string, size: number): void;
     /** A picture whose pixels stay squares. */
     image(picture: HTMLCanvasElement, x: number, y: number, width: number, height: number): void;
@@ -51,6 +44,7 @@ export class CanvasPen implements Pen {
 
     polyline(coordinates: ArrayLike<number>, color: string, width: number, opacity: number): void {
         const { context } = this;
+        context.save();
         context.beginPath();
         for (let i = 0; i < coordinates.length; i += 2) context.lineTo(coordinates[i], coordinates[i + 1]);
         context.globalAlpha = opacity;
@@ -59,40 +53,19 @@ export class CanvasPen implements Pen {
         context.lineJoin = "round";
         context.lineCap = "round";
         context.stroke();
-        context.globalAlpha = 1;
+        context.restore();
     }
 
-    circle(
-        x: number,
-        y: number,
-        radius: number,
-        fill: string | null,
-        stroke: string | null,
-        width: number,
-    ): void {
-        const { context } = this;
-        context.beginPath();
-        context.arc(x, y, radius, 0, kFullTurn);
-        this.paint(fill, stroke, width);
+    circle(x: number, y: number, radius: number, paint: Paint): void {
+        this.context.beginPath();
+        this.context.arc(x, y, radius, 0, kFullTurn);
+        this.paint(paint);
     }
 
-    square(
-        x: number,
-        y: number,
-        radius: number,
-        fill: string | null,
-        stroke: string | null,
-        width: number,
-    ): void {
-        const { context } = this;
-        if (fill !== null && stroke === null) {
-            context.fillStyle = fill;
-            context.fillRect(x - radius, y - radius, 2 * radius, 2 * radius);
-            return;
-        }
-        context.beginPath();
-        context.rect(x - radius, y - radius, 2 * radius, 2 * radius);
-        this.paint(fill, stroke, width);
+    square(x: number, y: number, radius: number, paint: Paint): void {
+        this.context.beginPath();
+        this.context.rect(x - radius, y - radius, 2 * radius, 2 * radius);
+        this.paint(paint);
     }
 
     text(x: number, y: number, text: string, color: string, size: number): void {
@@ -109,15 +82,15 @@ export class CanvasPen implements Pen {
         this.context.drawImage(picture, x, y, width, height);
     }
 
-    private paint(fill: string | null, stroke: string | null, width: number): void {
+    private paint({ fill, stroke, width }: Paint): void {
         const { context } = this;
-        if (fill !== null) {
+        if (fill !== undefined) {
             context.fillStyle = fill;
             context.fill();
         }
-        if (stroke === null) return;
+        if (stroke === undefined) return;
         context.strokeStyle = stroke;
-        context.lineWidth = width;
+        context.lineWidth = width ?? 1;
         context.stroke();
     }
 }
@@ -153,12 +126,12 @@ export class SvgPen implements Pen {
         });
     }
 
-    circle(x: number, y: number, r: number, fill: string | null, stroke: string | null, width: number): void {
-        this.add("circle", { cx: x, cy: y, r, ...paint(fill, stroke, width) });
+    circle(x: number, y: number, r: number, paint: Paint): void {
+        this.add("circle", { cx: x, cy: y, r, ...attributesOf(paint) });
     }
 
-    square(x: number, y: number, r: number, fill: string | null, stroke: string | null, width: number): void {
-        this.add("rect", { x: x - r, y: y - r, width: 2 * r, height: 2 * r, ...paint(fill, stroke, width) });
+    square(x: number, y: number, r: number, paint: Paint): void {
+        this.add("rect", { x: x - r, y: y - r, width: 2 * r, height: 2 * r, ...attributesOf(paint) });
     }
 
     text(x: number, y: number, text: string, color: string, size: number): void {
@@ -194,8 +167,8 @@ export class SvgPen implements Pen {
 
 const rounded = (value: number): string => String(Math.round(value * 100) / 100);
 
-function paint(fill: string | null, stroke: string | null, width: number): Record<string, string | number> {
-    return { fill: fill ?? "none", ...(stroke === null ? {} : { stroke, "stroke-width": width }) };
+function attributesOf({ fill, stroke, width }: Paint): Record<string, string | number> {
+    return { fill: fill ?? "none", ...(stroke === undefined ? {} : { stroke, "stroke-width": width ?? 1 }) };
 }
 
 function escaped(text: string): string {

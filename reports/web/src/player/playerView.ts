@@ -5,11 +5,12 @@ import type { State } from "../page/state";
 import type { Theme } from "../page/theme";
 import { Clock } from "./clock";
 import { Exporter } from "./exporter";
-import { type Control, PlayerControls, kSpeeds } from "./controls";
+import { type Control, PlayerControls, heatName, kSpeeds } from "./controls";
+import { keyOf } from "./key";
 import { Panel } from "./panel";
-import type { SceneOptions } from "./scene";
 import { Strip } from "./strip";
 import { type Kind, Track, kEventShare, kindName, kindsOf } from "./track";
+import type { Marks } from "./view";
 import { describeTime } from "./words";
 
 interface Slot {
@@ -26,11 +27,13 @@ export class PlayerView {
     private readonly controls: PlayerControls;
     private readonly exporter: Exporter;
     private readonly row = el("div", { class: "panels" });
+    private readonly key = el("p", { class: "legend" });
     private readonly words = el("p", { class: "words", "aria-live": "polite" });
     private readonly readout = el("output", { class: "readout" });
     private readonly caseChoice = choice("Case", [], "", (value) => this.choose(Number(value)));
     private slots: Slot[] = [];
-    private marked: number[] = [];
+    private marked: number[] = []; // robots of the event that was jumped to
+    private markedKind: "conflict" | "rotation" = "conflict";
     private seen: Uint8Array | null = null;
     private isDirty = false;
     private lastWords = 0;
@@ -45,9 +48,9 @@ export class PlayerView {
         this.strip = new Strip((share) => this.seek(share * this.clock.length));
         this.controls = new PlayerControls(state, (control) => this.onControl(control));
         this.exporter = new Exporter({
-            panels: () => this.slots.map(({ panel }) => panel),
+            shown: () => this.slots.map((slot) => ({ panel: slot.panel, caption: this.captionOf(slot) })),
             theme: () => this.theme,
-            options: (i) => this.options(this.slots[i]),
+            marks: (i) => this.marks(this.slots[i]),
             name: () => this.caseName(),
             length: () => this.clock.length,
             speed: () => this.clock.speed,
@@ -69,6 +72,7 @@ export class PlayerView {
             this.row,
             this.strip.canvas,
             this.strip.legend,
+            this.key,
             this.controls.element,
             this.words,
             this.readout,
@@ -119,7 +123,7 @@ export class PlayerView {
 
     setTheme(theme: Theme): void {
         this.theme = theme;
-        this.redraw();
+        this.drawNow();
     }
 
     /** Out of sight nothing has to move. */
@@ -195,6 +199,12 @@ export class PlayerView {
         return status === "solved" ? name : `${name} (${status})`;
     }
 
+    private captionOf({ panel, kind }: Slot): string {
+        const track = panel.track!;
+        const name = `${this.runName(track.playable.run)}, ${kindName(kind, track.playable)}`;
+        return `${name}: step ${Math.floor(this.trackTime(track))} of ${track.length}`;
+    }
+
     private caseName(): string {
         return this.campaign.about.cases[this.campaign.about.playable[this.slots[0]?.index ?? 0].case].name;
     }
@@ -268,6 +278,7 @@ export class PlayerView {
         const time = event.step + kEventShare;
         this.seek(this.isByShare() ? (time / Math.max(track.length, 1)) * this.clock.length : time);
         this.marked = event.robots;
+        this.markedKind = event.kind;
         this.redraw();
         this.words.textContent = `Step ${event.step + 1}: ${event.text}.`;
     }
@@ -324,37 +335,56 @@ export class PlayerView {
         this.isDirty = true;
         requestAnimationFrame(() => {
             this.isDirty = false;
-            this.drawPanels();
-            this.drawStrip();
-            this.say();
+            this.drawNow();
         });
     }
 
-    private options(slot: Slot): SceneOptions {
+    private drawNow(): void {
+        this.drawPanels();
+        this.drawStrip();
+        this.showKey();
+        this.say();
+    }
+
+    private marks(slot: Slot): Marks {
         const track = slot.panel.track!;
-        const event = this.marked.length > 0 ? track.nextEvent(this.trackTime(track) - 0.01, 1) : null;
         return {
             goals: this.state.flag("goals", true),
             trails: this.state.flag("trails", false),
             blocks: this.state.flag("blocks", false),
-            heat: track.heat(this.state.get("heat", "none")),
+            ...this.heat(track),
             followed: this.state.number("follow", -1),
             marked: slot === this.slots[0] ? this.marked : [],
-            markColor: event?.kind === "rotation" ? this.theme.rotation : this.theme.conflict,
+            markColor: this.theme[this.markedKind],
         };
     }
 
+    /** On one scale for all solutions that are shown. */
+    private heat(track: Track): { heat: Float64Array | null; heatMost: number } {
+        const kind = this.state.get("heat", "none");
+        const most = this.slots.map(({ panel }) => panel.track!.heat(kind)?.most ?? 1);
+        return { heat: track.heat(kind)?.values ?? null, heatMost: Math.max(...most) };
+    }
+
     private drawPanels(): void {
-        const followed = this.state.number("follow", -1);
         for (const slot of this.slots)
-            slot.panel.draw(this.trackTime(slot.panel.track!), this.theme, this.options(slot), followed);
+            slot.panel.draw(this.trackTime(slot.panel.track!), this.theme, this.marks(slot));
     }
 
     private drawStrip(): void {
-        const track = this.slots[0]?.panel.track;
-        if (!track) return;
-        const length = this.isByShare() ? track.length : this.clock.length;
-        this.strip.draw(track, this.trackTime(track), length, this.seen, this.theme);
+        if (this.slots.length === 0) return;
+        const tracks = this.slots.map(({ panel }) => panel.track!);
+        const shares = tracks.map(({ length }) =>
+            this.isByShare() ? 1 : length / Math.max(this.clock.length, 1),
+        );
+        const { seen, theme } = this;
+        this.strip.draw({ tracks, shares, seen, theme }, this.clock.time, this.clock.length);
+    }
+
+    private showKey(): void {
+        if (this.slots.length === 0) return;
+        const what = heatName(this.state.get("heat", "none"));
+        this.key.replaceChildren(...keyOf(this.marks(this.slots[0]), what, this.theme));
     }
 
     private say(): void {

@@ -24,11 +24,16 @@ export function kindName(kind: Kind, playable: Playable): string {
     return playable.sequential ? kKindNames[kind] : "as given";
 }
 
+export interface Heat {
+    values: Float64Array; // a number a vertex
+    most: number;
+}
+
 export class Track {
     readonly timeline: Timeline;
     readonly measures: Measures;
     private foundEvents: Event[] | null = null;
-    private readonly heats = new Map<string, Float64Array>();
+    private readonly heats = new Map<string, Heat>();
 
     constructor(
         readonly playable: Playable,
@@ -68,14 +73,15 @@ export class Track {
         return later[direction === 1 ? 0 : later.length - 1] ?? null;
     }
 
-    heat(kind: string): Float64Array | null {
+    heat(kind: string): Heat | null {
         if (kind !== "traffic" && kind !== "waiting") return null;
         let heat = this.heats.get(kind);
         if (!heat) {
-            heat =
+            const values =
                 kind === "traffic"
                     ? traffic(this.instance.graph.vertexCount, this.steps)
                     : waiting(this.instance, this.steps);
+            heat = { values, most: values.reduce((most, value) => Math.max(most, value), 1) };
             this.heats.set(kind, heat);
         }
         return heat;
