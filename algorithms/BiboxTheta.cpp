@@ -145,7 +145,7 @@ RestartingPlanner::Outcome BiboxTheta::attempt(std::uint64_t number, const Termi
     if (ptc())
         return stopped();
     std::vector<Vertex> walk;
-    BlockObstacle what = obstacle(puzzle);
+    BlockObstacle what = obstacle(puzzle, ptc);
     if (ptc())
         return stopped();
     if (what != BlockObstacle::none && instance().freeCount() > 1)
@@ -153,7 +153,9 @@ RestartingPlanner::Outcome BiboxTheta::attempt(std::uint64_t number, const Termi
         walk = changeRoles(*block.graph, occupants, puzzle);
         if (ptc())
             return stopped();
-        what = obstacle(puzzle);
+        what = obstacle(puzzle, ptc);
+        if (ptc())
+            return stopped();
         assert(what == BlockObstacle::none);
     }
     if (what != BlockObstacle::none)

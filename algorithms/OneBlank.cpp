@@ -409,7 +409,7 @@ RestartingPlanner::Outcome OneBlank::attempt(std::uint64_t number, const Termina
                 names[v == trees.entry(block) ? trees.exit(block) : question.goals[occupants[v]]]);
         if (ptc())
             return stopped();
-        const BlockObstacle what = obstacle(puzzle);
+        const BlockObstacle what = obstacle(puzzle, ptc);
         if (ptc())
             return stopped();
         if (what != BlockObstacle::none)

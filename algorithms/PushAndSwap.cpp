@@ -90,7 +90,8 @@ private:
         };
         while (!atGoal(r))
         {
-            const std::vector<Vertex> path = paths_.find(board_.position(r), instance_.goals[r], enterCost);
+            const std::vector<Vertex> path =
+                paths_.find(board_.position(r), instance_.goals[r], enterCost, ptc_);
             if (path.empty())
             {
                 reason_ = "robot " + std::to_string(r) + " has no way from vertex " +

@@ -367,7 +367,7 @@ bool isThetaZero(const Graph &graph)
     return common == 1;
 }
 
-BlockObstacle obstacle(const BlockPuzzle &puzzle)
+BlockObstacle obstacle(const BlockPuzzle &puzzle, const TerminationCondition &ptc)
 {
     const Graph &graph = *puzzle.block->graph;
     if (graph.vertexCount() == 2)
@@ -384,7 +384,8 @@ BlockObstacle obstacle(const BlockPuzzle &puzzle)
         return BlockObstacle::none;
     const std::vector<char> &sides = puzzle.block->sides;
     const bool oddWay = sides[puzzle.blank] != sides[puzzle.targets[puzzle.blank]];
-    return isOddPermutation(puzzle.targets) != oddWay ? BlockObstacle::oddPermutation : BlockObstacle::none;
+    return isOddPermutation(puzzle.targets, ptc) != oddWay ? BlockObstacle::oddPermutation
+                                                           : BlockObstacle::none;
 }
 
 std::optional<std::vector<Vertex>> solveBlock(const BlockPuzzle &puzzle, std::size_t largestSearch,

@@ -68,8 +68,8 @@ enum class BlockObstacle
 /// Whether the graph is theta_0.
 [[nodiscard]] bool isThetaZero(const Graph &graph);
 
-/// O(V).
-[[nodiscard]] BlockObstacle obstacle(const BlockPuzzle &puzzle);
+/// O(V). Anything where the termination condition says stop.
+[[nodiscard]] BlockObstacle obstacle(const BlockPuzzle &puzzle, const TerminationCondition &ptc = {});
 
 /// A walk of the blank, from where it is to its target, that brings everybody home; nothing where the
 /// termination condition says stop.

@@ -7,6 +7,7 @@
 /// when target(v) == v everywhere.
 
 #include "framework/model/Graph.h"
+#include "framework/support/TerminationCondition.h"
 
 #include <cassert>
 #include <numeric>
@@ -100,14 +101,19 @@ private:
     Vertex blankTarget_;
 };
 
-/// Whether a permutation of 0 … n−1 is odd. O(n).
-[[nodiscard]] inline bool isOddPermutation(std::span<const Vertex> permutation)
+/// Whether a permutation of 0 … n−1 is odd; anything where the termination condition says stop. O(n).
+[[nodiscard]] inline bool isOddPermutation(std::span<const Vertex> permutation,
+                                           const TerminationCondition &ptc = {})
 {
+    constexpr std::size_t kPollInterval = 1 << 16;
     std::vector<char> seen(permutation.size(), 0);
     bool odd = false;
+    std::size_t steps = 0;
     for (Vertex v = 0; v < permutation.size(); ++v)
         for (Vertex w = permutation[v]; w != v && seen[v] == 0; w = permutation[w])
         {
+            if (++steps % kPollInterval == 0 && ptc())
+                return odd;
             seen[w] = 1;
             odd = !odd;
         }
