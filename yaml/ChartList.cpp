@@ -128,7 +128,10 @@ ChartRequest readChart(const Config::Entry &entry, const BenchmarkPlan &plan)
     demand(!chart.y.empty(), "'y', the numeric column that it shows");
     demand(chart.kind != "curves" || !chart.x.empty(),
            "'x', the column or swept variable to show it against");
-    demand(chart.kind == "curves" || (chart.x.empty() && chart.per.empty()), "neither 'x' nor 'per'");
+    if (chart.kind == "scaling" && chart.x.empty())
+        chart.x = "vertices";
+    demand(chart.kind == "curves" || chart.kind == "scaling" || chart.x.empty(), "no 'x'");
+    demand(chart.kind == "curves" || chart.per.empty(), "no 'per'");
     if (chart.kind == "scatter" && chart.planners.first.empty())
     {
         demand(plan.planners.size() >= 2, "two planners");

@@ -78,7 +78,7 @@ struct Keep
 struct ChartRequest
 {
     std::string kind = "curves"; ///< curves, cactus, profile, ecdf, boxes, scatter, ranks, scaling
-    std::string x;               ///< of curves: a numeric column, or a swept variable
+    std::string x;               ///< of curves: a numeric column or a swept variable; of scaling: a column
     std::string y;               ///< a numeric column
     std::string per;     ///< of curves: a column; a curve for each of its values. Empty: one a planner
     std::string problem; ///< a problem's or a family's name; empty: all

@@ -121,7 +121,7 @@ Figure scalingOf(const FigureList &figures, const ResultTable &results, const Ch
             !growsGraph(problem))
             continue;
         std::string refusal;
-        if (auto figure = scalingFigure(figures, problem, chart.y, refusal))
+        if (auto figure = scalingFigure(figures, problem, chart.x, chart.y, refusal))
             return std::move(*figure);
         throw DrawingError(refusal.empty() ? "no run was solved" : refusal);
     }

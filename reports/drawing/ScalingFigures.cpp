@@ -14,12 +14,15 @@ namespace mrpp
 namespace
 {
 
-std::optional<double> sizeOf(const RunGroup &group)
+constexpr std::string_view kVertices = "vertices";
+
+/// The median over the runs that have it.
+std::optional<double> sizeOf(const RunGroup &group, std::string_view column)
 {
     std::vector<double> sizes;
     for (const RunRecord *run : group.runs)
-        if (run->vertices)
-            sizes.push_back(static_cast<double>(*run->vertices));
+        if (const auto size = numericValue(*run, column))
+            sizes.push_back(*size);
     return sizes.empty() ? std::nullopt : std::optional(std::round(median(std::move(sizes))));
 }
 
@@ -54,17 +57,17 @@ bool growsGraph(const ProblemSummary &problem)
 {
     std::set<double> sizes;
     for (const RunGroup &group : problem.groups)
-        if (const auto size = sizeOf(group))
+        if (const auto size = sizeOf(group, kVertices))
             sizes.insert(*size);
     return problem.swept() && sizes.size() > 1 && *sizes.rbegin() >= 2 * *sizes.begin();
 }
 
 std::optional<Figure> scalingFigure(const FigureList &figures, const ProblemSummary &problem,
-                                    std::string_view column, std::string &refusal)
+                                    std::string_view size, std::string_view column, std::string &refusal)
 {
     constexpr std::size_t kFitPoints = 48;
     Figure figure;
-    figure.variable = "Vertices";
+    figure.variable = metricTitle(size);
     figure.measure = metricTitle(column);
     figure.logX = true;
     figure.logY = true;
@@ -76,15 +79,15 @@ std::optional<Figure> scalingFigure(const FigureList &figures, const ProblemSumm
         std::map<double, std::vector<double>> values;
         for (const RunGroup &group : problem.groups)
         {
-            const auto size = sizeOf(group);
-            if (group.planner != planner || !size)
+            const auto at = sizeOf(group, size);
+            if (group.planner != planner || !at || *at <= 0)
                 continue;
             for (const RunRecord *run : group.runs)
                 if (const auto value = run->solved() ? numericValue(*run, column) : std::nullopt;
                     value && *value > 0)
-                    values[*size].push_back(*value);
-            FigurePoint &point = points[*size];
-            point.at = *size;
+                    values[*at].push_back(*value);
+            FigurePoint &point = points[*at];
+            point.at = *at;
             point.solved += group.solved();
             point.runs += group.runs.size();
         }
@@ -94,12 +97,12 @@ std::optional<Figure> scalingFigure(const FigureList &figures, const ProblemSumm
         series.label = planner;
         series.style = figures.styleOf(planner);
         std::vector<ScalingPoint> sizes;
-        for (auto &[size, point] : points)
+        for (auto &[at, point] : points)
         {
-            if (const auto own = values.find(size); own != values.end())
+            if (const auto own = values.find(at); own != values.end())
             {
                 point.value = quartiles(own->second);
-                sizes.push_back({size, own->second});
+                sizes.push_back({at, own->second});
             }
             series.points.push_back(point);
         }
@@ -129,14 +132,16 @@ std::optional<Figure> scalingFigure(const FigureList &figures, const ProblemSumm
     }
     if (!anything)
         return std::nullopt;
-    figure.title = fmt::format("Scaling of {} on {}", spaced(column), oneLine(problem.problem));
+    figure.title = fmt::format("Scaling of {}{} on {}", spaced(column),
+                               size == kVertices ? "" : " with " + spaced(size), oneLine(problem.problem));
     figure.caption = fmt::format(
-        "{} on {} ({}) against the number of vertices n, both axes logarithmic. Markers and bars: median and "
+        "{} on {} ({}) against the {} n, both axes logarithmic. Markers and bars: median and "
         "quartiles of "
         "the solved runs, hollow where not every run was solved; lines and bands: the better of a power law "
         "and an "
         "exponential law with its 95 % bootstrap band, fitted to the sizes left of the dashed line.{}",
-        measureName(column), oneLine(problem.problem), spaced(problem.model), verdicts);
+        measureName(column), oneLine(problem.problem), spaced(problem.model),
+        size == kVertices ? "number of vertices" : spaced(size), verdicts);
     return figure;
 }
 
@@ -149,7 +154,7 @@ void addScalingFigures(FigureList &figures, const std::vector<ProblemSummary> &p
         for (const char *column : {"time", "path_length"})
         {
             std::string refusal;
-            if (auto figure = scalingFigure(figures, problem, column, refusal))
+            if (auto figure = scalingFigure(figures, problem, kVertices, column, refusal))
                 figures.add(std::move(*figure), problem.model + "-" + problem.problem + "-scaling-" + column);
             else if (!refusal.empty())
                 figures.complain(fmt::format("no scaling of {} on {}: {}", spaced(column),

@@ -14,8 +14,10 @@ namespace mrpp
 [[nodiscard]] bool growsGraph(const ProblemSummary &problem);
 
 /// The figure, or words why there is none (in `refusal`). \pre growsGraph(problem)
+/// \param size the numeric column against which it grows: "vertices", or another cost
 [[nodiscard]] std::optional<Figure> scalingFigure(const FigureList &figures, const ProblemSummary &problem,
-                                                  std::string_view column, std::string &refusal);
+                                                  std::string_view size, std::string_view column,
+                                                  std::string &refusal);
 
 /// Times and path lengths of each such sweep.
 void addScalingFigures(FigureList &figures, const std::vector<ProblemSummary> &problems);

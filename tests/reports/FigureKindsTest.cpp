@@ -149,6 +149,28 @@ TEST(AskedFigure, IsWhatThePlanSays)
                                        "robots and optimized_sum_of_costs"));
 }
 
+TEST(AskedFigure, ShowsHowOneCostGrowsWithAnother)
+{
+    FakeCampaign campaign = growing();
+    ChartRequest scaling;
+    scaling.kind = "scaling";
+    scaling.x = "path_length";
+    scaling.y = "time";
+    campaign.plan().charts = {scaling};
+    campaign.plan().automaticCharts = false;
+    const auto figures = campaignFigures(campaign.run(
+        [](RunRecord &record, std::size_t planner)
+        {
+            cost(record, planner);
+            record.pathLength = static_cast<std::size_t>(std::pow(*record.vertices, 4));
+        }));
+    const Figure &figure = named(figures, "chart-scaling-time-path_length");
+    EXPECT_THAT(figure.series[0].remark, ::testing::StartsWith(" ∝ n^0.50 ["));
+    EXPECT_EQ(figure.series[0].points.back().at, 121.0 * 121 * 121 * 121);
+    EXPECT_EQ(figure.variable, "Path length (moves)");
+    EXPECT_THAT(figure.caption, ::testing::HasSubstr("against the path length n"));
+}
+
 TEST(Axis, OfLongNumbersLeavesRoomForItsTitle)
 {
     FakeCampaign campaign("long", 1);

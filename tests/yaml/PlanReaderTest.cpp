@@ -116,6 +116,10 @@ TEST(PlanReader, readsCharts)
         plan(start + "reports: [charts, {chart: {kind: ecdf, y: time, problem: puzzle}}]");
     EXPECT_TRUE(both.automaticCharts);
     EXPECT_EQ(both.charts[0].logY, std::nullopt);
+    const BenchmarkPlan grown = plan(start + "reports: [{chart: {kind: scaling, y: time}}, "
+                                             "{chart: {kind: scaling, x: path_length, y: memory}}]");
+    EXPECT_EQ(grown.charts[0].x, "vertices");
+    EXPECT_EQ(grown.charts[1].x, "path_length");
 }
 
 TEST(PlanReader, knowsUnits)
@@ -355,6 +359,8 @@ INSTANTIATE_TEST_SUITE_P(
         BadPlan{"reports: [{chart: {x: robots, z: time}}]", "31", "unknown key 'z' in a chart"},
         BadPlan{"reports: [{chart: {y: time}}]", "19", "a chart of the kind 'curves' needs 'x'"},
         BadPlan{"reports: [{chart: {kind: boxes, y: time, log: [z]}}]", "48", "there is no axis 'z'"},
+        BadPlan{"reports: [{chart: {kind: ecdf, x: robots, y: time}}]", "19",
+                "a chart of the kind 'ecdf' needs no 'x'"},
         BadPlan{"reports: [{chart: {kind: pie, y: time}}]", "26", "there is no kind of chart 'pie'"},
         BadPlan{"reports: csv", "10", "'reports' takes a list"},
         BadPlan{"motion: pebbles", "9", "there is no motion rule 'pebbles'; known: pebble"},
