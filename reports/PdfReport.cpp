@@ -22,10 +22,33 @@ namespace
 
 constexpr double kFigureHeight = 640;   // points
 constexpr double kHalfPageHeight = 280; // points: two and their captions fill a page
-constexpr double kHalvedAtMost = 400;   // points: higher figures would become too small
+constexpr double kHalvedAtMost = 410;   // points: higher figures would become too small
 constexpr double kLayoutHeight = 560;   // points, of a layout that has the width for itself
-constexpr double kPairHeight = 230;     // points, of two layouts beside each other
-constexpr double kPairedUpTo = 400;     // points: wider layouts would become too small beside another
+constexpr double kPairWidth = 234;      // points, of each of two layouts beside each other
+constexpr double kPairHeight = 300;     // points, at most
+constexpr double kLeastScale = 0.54;    // of such a pair: in smaller ones numbers cannot be read
+
+constexpr const char *kPlanFile = "plan.yaml"; // in the campaign's folder, as all of these
+constexpr const char *kRunsFile = "results.csv";
+constexpr const char *kFigures = "figures";
+constexpr const char *kLayouts = "layouts";
+
+/// Whether the plan asks for a report, so that its files lie beside this one.
+bool wants(const ResultTable &results, std::string_view report)
+{
+    const auto &reports = results.plan().reports;
+    return std::find(reports.begin(), reports.end(), report) != reports.end();
+}
+
+/// Where the figures and the table of a subject are.
+std::string figuresOf(const std::string &subject)
+{
+    return "figures of " + subject;
+}
+std::string tableOf(const std::string &subject)
+{
+    return "table of " + subject;
+}
 
 void addTitlePage(PdfPages &pages, const ResultTable &results, const Provenance &provenance)
 {
@@ -41,7 +64,7 @@ void addTitlePage(PdfPages &pages, const ResultTable &results, const Provenance 
     const auto orUnknown = [](const std::string &text)
     { return text.empty() ? std::string("unknown") : text; };
     pages.facts({
-        {"Runs", runs},
+        {"Runs", runs, wants(results, "csv") ? kRunsFile : ""},
         {"Repetitions", std::to_string(results.plan().repetitions)},
         {"Motion rule", std::string(toString(results.plan().motion))},
         {"Limits of a run",
@@ -49,7 +72,8 @@ void addTitlePage(PdfPages &pages, const ResultTable &results, const Provenance 
         {"Seed", std::to_string(results.plan().seed)},
         {"Plan file",
          orUnknown(provenance.planFile) +
-             (provenance.planFingerprint.empty() ? "" : ", fingerprint " + provenance.planFingerprint)},
+             (provenance.planFingerprint.empty() ? "" : ", fingerprint " + provenance.planFingerprint),
+         kPlanFile},
         {"Started", orUnknown(provenance.started)},
         {"Finished", provenance.finished.empty() ? "not yet" : provenance.finished},
         {"Program", fmt::format("mrppsim {}{}", provenance.version,
@@ -75,6 +99,8 @@ void addTitlePage(PdfPages &pages, const ResultTable &results, const Provenance 
     pages.section(planners.title);
     pages.table(planners.columns, planners.rows);
     pages.paragraph("PAR-2 and PAR-10: mean time where a failed run counts 2 or 10 times the limit.");
+    pages.section("Contents");
+    pages.contents();
 }
 
 void addFindings(PdfPages &pages, const ResultTable &results)
@@ -107,7 +133,8 @@ void addTables(PdfPages &pages, const ResultTable &results)
         "solved, or the measure was not taken. Quartiles are in summary.csv, single runs in results.csv.");
     for (const SummaryTable &table : summaryTables(results.records()))
     {
-        pages.section(table.title);
+        pages.section(table.title, tableOf(table.title));
+        pages.reference("figures", figuresOf(table.title));
         pages.table(table.columns, table.rows);
     }
     const SummaryTable failures = failureTable(results.records(), kFailureRows);
@@ -132,12 +159,24 @@ void addFigures(PdfPages &pages, const ResultTable &results, const std::filesyst
     for (const std::string &complaint : complaints)
         pages.paragraph(complaint + ".");
     const std::vector<DrawnFigure> pictures = drawFigures(drawn, figures);
+    std::string subject;
     for (std::size_t i = 0; i < drawn.size(); ++i)
     {
-        const PdfDrawing drawing{pictures[i].picture.pdf, pictures[i].missing, drawn[i].caption};
+        if (!drawn[i].subject.empty() && drawn[i].subject != subject)
+            pages.reference("table of " + drawn[i].subject, tableOf(drawn[i].subject));
+        subject = drawn[i].subject;
+        PdfDrawing drawing{pictures[i].picture.pdf, pictures[i].missing, drawn[i].caption,
+                           wants(results, "charts") ? fmt::format("{}/{}.csv", kFigures, drawn[i].name) : "",
+                           subject.empty() ? "" : figuresOf(subject)};
         const bool isLow = drawing.missing.empty() && pageSize(drawing.pdf).second <= kHalvedAtMost;
-        pages.drawings({drawing}, 1, isLow ? kHalfPageHeight : kFigureHeight);
+        pages.drawings({std::move(drawing)}, 1, isLow ? kHalfPageHeight : kFigureHeight);
     }
+}
+
+bool fitsBeside(const std::string &pdf)
+{
+    const auto [width, height] = pageSize(pdf);
+    return kLeastScale * width <= kPairWidth && kLeastScale * height <= kPairHeight;
 }
 
 void addLayouts(PdfPages &pages, const ResultTable &results)
@@ -165,8 +204,10 @@ void addLayouts(PdfPages &pages, const ResultTable &results)
     {
         for (Layout &layout : drawLayouts(results, plan))
         {
-            PdfDrawing drawing{std::move(layout.picture.pdf), layout.missing, layout.caption};
-            if (drawing.missing.empty() && pageSize(drawing.pdf).first > kPairedUpTo)
+            PdfDrawing drawing{
+                std::move(layout.picture.pdf), layout.missing, layout.caption,
+                wants(results, "layouts") ? fmt::format("{}/{}.svg", kLayouts, layout.name) : "", ""};
+            if (drawing.missing.empty() && !fitsBeside(drawing.pdf))
             {
                 flush();
                 pages.drawings({drawing}, 1, kLayoutHeight);
@@ -191,7 +232,7 @@ std::vector<std::filesystem::path> PdfReport::write(const ResultTable &results, 
     addTitlePage(pages, results, provenance);
     addFindings(pages, results);
     addTables(pages, results);
-    addFigures(pages, results, folder / "figures");
+    addFigures(pages, results, folder / kFigures);
     addLayouts(pages, results);
     pages.chapter("Plan");
     pages.verbatim(results.plan().text);

@@ -2,6 +2,7 @@
 
 #include "reports/drawing/PdfFile.h"
 
+#include <algorithm>
 #include <cairo-pdf.h>
 #include <cairo-svg.h>
 #include <string_view>
@@ -24,6 +25,32 @@ std::string withoutSurfaceNumbers(const std::string &svg)
         if (std::string_view(result).ends_with(kMark))
             while (i < svg.size() && svg[i] >= '0' && svg[i] <= '9')
                 ++i;
+    }
+    return result;
+}
+
+/// Cairo gives places six decimals, of which a picture needs two.
+std::string withShortPaths(const std::string &svg)
+{
+    constexpr std::string_view kPath = " d=\"";
+    constexpr std::size_t kDecimals = 2;
+    std::string result;
+    result.reserve(svg.size());
+    for (std::size_t at = 0; at < svg.size();)
+    {
+        const std::size_t path = std::min(svg.find(kPath, at), svg.size());
+        const std::size_t begin = std::min(path + kPath.size(), svg.size());
+        const std::size_t end = std::min(svg.find('"', begin), svg.size());
+        result.append(svg, at, begin - at);
+        std::size_t decimals = 0; // of the number so far, with its point
+        for (const char c : std::string_view(svg).substr(begin, end - begin))
+        {
+            const bool isDigit = c >= '0' && c <= '9';
+            decimals = c == '.' || (isDigit && decimals > 0) ? decimals + 1 : 0;
+            if (decimals <= 1 + kDecimals)
+                result += c;
+        }
+        at = end;
     }
     return result;
 }
@@ -67,7 +94,7 @@ Picture drawPicture(double width, double height, const std::function<void(cairo_
 
     verify(picture);
     picture.pdf = withoutTimes(picture.pdf);
-    picture.svg = withoutSurfaceNumbers(picture.svg);
+    picture.svg = withShortPaths(withoutSurfaceNumbers(picture.svg));
     return picture;
 }
 

@@ -54,6 +54,12 @@ std::string runsAPoint(const std::vector<const RunGroup *> &groups)
                : fmt::format("{} to {}", (*least)->runs.size(), runs);
 }
 
+bool hasFailures(const std::vector<const RunGroup *> &groups)
+{
+    return std::any_of(groups.begin(), groups.end(),
+                       [](const RunGroup *group) { return group->solved() < group->runs.size(); });
+}
+
 /// " 3 runs had no solution …" where there are such.
 std::string unsolvableRuns(const std::vector<const RunGroup *> &groups)
 {
@@ -187,11 +193,15 @@ private:
             if (!fill(figure, places, measure))
                 continue;
             anything = true;
+            figure.subject = where;
             figure.title = measureName(measure.column) + " on " + oneLine(problem.problem);
             figure.caption = fmt::format(
-                "{} on {}: {}. Lines: median over the solved runs; bands: their quartiles; {} at each point. "
-                "Hollow markers: not every run was solved, the lower panel shows the share that was.{}",
+                "{} on {}: {}. Lines: median over the solved runs; bands: their quartiles; {} at each "
+                "point.{}{}",
                 measureName(measure.column), where, measure.of, runsAPoint(groups),
+                hasFailures(groups)
+                    ? " Hollow markers: not every run was solved, the lower panel shows the share that was."
+                    : "",
                 figure.bounds.empty()
                     ? std::string()
                     : fmt::format(" Dotted grey: lower bound, {} (median over the instances).",
@@ -205,6 +215,7 @@ private:
         Figure success;
         success.kind = Figure::Kind::curves;
         success.isPercentage = true;
+        success.subject = where;
         success.title = "Success rate on " + oneLine(problem.problem);
         success.caption =
             fmt::format("Success rate on {}: share of the runs that ended with a valid solution "
@@ -263,13 +274,16 @@ private:
                 continue;
             anything = true;
             figure.rows = rows;
+            figure.subject = spaced(model);
             figure.title = measureName(measure.column) + ", " + spaced(model) + " problems";
             figure.caption = fmt::format(
                 "{} on the {} problems: {}. Markers: median over the solved runs; bars: their quartiles; {} "
-                "for "
-                "each problem and planner. Hollow markers: not every run was solved, the panel on the right "
-                "shows the share that was; no marker on the left: none was solved.{}",
+                "for each problem and planner.{}{}",
                 measureName(measure.column), spaced(model), measure.of, runsAPoint(groups),
+                hasFailures(groups) ? " Hollow markers: not every run was solved, the panel on the right "
+                                      "shows the share that "
+                                      "was; no marker on the left: none was solved."
+                                    : "",
                 figure.bounds.empty()
                     ? std::string()
                     : fmt::format(" Upright strokes: lower bound, {}.", boundMeaning(measure)));

@@ -52,7 +52,7 @@ std::string comparisonScript(const Figure &figure)
     const MeasureScale scale = scaleOf(figure.measure, pointValues(figure), figure.logY);
     const bool hasBounds = !figure.bounds.empty();
     const auto rows = static_cast<double>(figure.rows.size());
-    const double rowHeight = std::max(0.6, 0.2 * static_cast<double>(figure.series.size()) + 0.2);
+    const double rowHeight = std::max(0.6, 0.17 * static_cast<double>(figure.series.size()) + 0.2);
 
     Script script(figure.name);
     const std::size_t longest = defineTexts(script, figure, scale.title);

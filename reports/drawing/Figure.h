@@ -74,6 +74,7 @@ struct Figure
     };
     Kind kind = Kind::curves;
     std::string name;    ///< file name without extension
+    std::string subject; ///< title of the summary table with the same runs; empty where there is none
     std::string title;   ///< within the picture
     std::string caption; ///< can stand alone
     std::string

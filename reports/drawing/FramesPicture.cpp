@@ -19,13 +19,16 @@ namespace
 
 constexpr std::size_t kFrames = 6;
 constexpr double kWidth = 484;         // points: as wide as a page's text
-constexpr double kFramesHeight = 500;  // points, at most, of all frames
-constexpr double kCaption = 14;        // points beneath a frame
+constexpr double kFramesHeight = 440;  // points, at most, of all frames
+constexpr double kCaption = 24;        // points beneath a frame, two lines
 constexpr double kGutter = 12;         // points between frames
-constexpr double kLargestUnit = 44;    // points between neighbours
+constexpr double kLargestUnit = 26;    // points between neighbours
+constexpr double kGoodUnit = 19;       // points between neighbours, that numbers need
 constexpr double kSmallestVertex = 3;  // points between neighbours: closer ones are a map
 constexpr double kSmallestNumber = 11; // points, a robot's diameter
-constexpr std::size_t kRobotsWithTrails = 60;
+constexpr std::size_t kCrowd = 60;     // robots: of more there are neither names nor trails
+constexpr const char *kOnItsWay = "#f0a030";
+constexpr const char *kArrived = "#0a2a5a";
 
 /// The positions over the steps of a condensed solution.
 class Playback
@@ -137,20 +140,20 @@ private:
         return (kWidth - (columns + 1) * kGutter) / columns;
     }
 
-    /// As many columns as make the frames largest.
+    /// In as few rows as are large enough, or else those that make the frames largest.
     void arrange()
     {
         const Extent size = ground_.size();
         const std::size_t frames = steps_.size();
-        for (std::size_t columns = frames; columns > 0; --columns)
+        for (std::size_t rowCount = 1; rowCount <= frames; ++rowCount)
         {
+            const std::size_t columns = (frames + rowCount - 1) / rowCount;
             const auto across = static_cast<double>(columns);
-            const std::size_t rowCount = (frames + columns - 1) / columns;
             const auto down = static_cast<double>(rowCount);
             const double unit =
                 std::min({kLargestUnit, (kWidth - (across + 1) * kGutter) / across / size.width,
                           (kFramesHeight / down - kCaption - kGutter) / size.height});
-            if (unit > unit_)
+            if (unit_ < kGoodUnit && unit > unit_)
             {
                 unit_ = unit;
                 columns_ = columns;
@@ -173,9 +176,13 @@ private:
             const double inset = (frameWidth() - ground_.size().width * unit_) / 2;
             const MapArea area = {left + inset, top + frameHeight_, unit_};
             drawGround(cairo, area);
-            if (instance_.robotCount() <= kRobotsWithTrails)
+            if (isCrowd())
+                drawCrowd(cairo, area, playback);
+            else
+            {
                 drawTrail(cairo, area, trail);
-            drawRobots(cairo, area, playback);
+                drawRobots(cairo, area, playback);
+            }
             const std::string when = i == 0                   ? "start"
                                      : i + 1 == steps_.size() ? fmt::format("end, step {}", steps_[i])
                                                               : fmt::format("step {}", steps_[i]);
@@ -183,8 +190,8 @@ private:
             showText(
                 cairo,
                 layText(cairo,
-                        fmt::format("{}: {} of {} at goal", when, playback.atGoal(), instance_.robotCount()),
-                        {"DejaVu Sans 8", frameWidth(), PANGO_ALIGN_CENTER, 1}),
+                        fmt::format("{}\n{} of {} at goal", when, playback.atGoal(), instance_.robotCount()),
+                        {"DejaVu Sans 7.5", frameWidth(), PANGO_ALIGN_CENTER, 2}),
                 left, top + frameHeight_ + 2);
         }
         drawText(cairo);
@@ -196,6 +203,7 @@ private:
         cairo_set_source_rgb(cairo, red, green, blue);
     }
 
+    [[nodiscard]] bool isCrowd() const { return instance_.robotCount() > kCrowd; }
     [[nodiscard]] double radius() const { return std::max(0.3 * unit_, 0.9); }
 
     static void disc(cairo_t *cairo, const Point &place, double radius)
@@ -247,6 +255,18 @@ private:
         }
     }
 
+    void drawCrowd(cairo_t *cairo, const MapArea &area, const Playback &playback) const
+    {
+        for (const bool isArrived : {false, true})
+        {
+            setColor(cairo, isArrived ? kArrived : kOnItsWay);
+            for (Robot robot = 0; robot < instance_.robotCount(); ++robot)
+                if (playback.isAtGoal(robot) == isArrived)
+                    disc(cairo, ground_.at(playback.places()[robot], area), radius());
+            cairo_fill(cairo);
+        }
+    }
+
     void drawRobots(cairo_t *cairo, const MapArea &area, const Playback &playback) const
     {
         const double width = std::clamp(radius() / 4, 0.3, 2.2);
@@ -287,10 +307,10 @@ private:
 
     void drawText(cairo_t *cairo) const
     {
-        std::string legend =
-            "disc: robot; black rim: it is at its goal; ring: a goal whose robot is elsewhere";
-        if (instance_.robotCount() <= kRobotsWithTrails)
-            legend += "; line: way since the frame before";
+        const char *legend = isCrowd()
+                                 ? "light disc: robot on its way; dark disc: robot at its goal"
+                                 : "disc: robot; black rim: it is at its goal; ring: a goal whose robot is "
+                                   "elsewhere; line: way since the frame before";
         const double top = static_cast<double>(rows()) * (frameHeight_ + kCaption + kGutter);
         setColor(cairo, "#202020");
         const auto show = [&](const std::string &text, const char *font, double at) {

@@ -36,6 +36,7 @@ GraphDrawing::GraphDrawing(const Graph &graph, const Placement &placement)
     set(Kind::graph, "outputorder", "edgesfirst");
     set(Kind::graph, "bgcolor", "#ffffff");
     set(Kind::graph, "pad", "0.15");
+    set(Kind::graph, "margin", "0");
     set(Kind::graph, "labelloc", "b");
     set(Kind::graph, "fontname", "DejaVu Sans");
     set(Kind::graph, "fontsize", number(fontSize_));

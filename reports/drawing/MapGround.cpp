@@ -69,11 +69,11 @@ void MapGround::draw(cairo_t *cairo, const MapArea &area) const
         return;
     }
     const Extent cells = size();
-    cairo_set_source_rgb(cairo, 0.42, 0.42, 0.42);
+    cairo_set_source_rgb(cairo, 0.6, 0.6, 0.6);
     cairo_rectangle(cairo, area.left, area.bottom - cells.height * area.unit, cells.width * area.unit,
                     cells.height * area.unit);
     cairo_fill(cairo);
-    cairo_set_source_rgb(cairo, 0.95, 0.95, 0.95);
+    cairo_set_source_rgb(cairo, 0.97, 0.97, 0.97);
     cairo_set_fill_rule(cairo, CAIRO_FILL_RULE_EVEN_ODD);
     const auto follow = [&](const std::vector<Point> &corners)
     {

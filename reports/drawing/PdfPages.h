@@ -1,8 +1,10 @@
 #pragma once
 /// \file
 /// A4 pages that fill from top to bottom: headings, text, tables that go on over pages, drawings with
-/// captions, page numbers and an outline. Text is never markup: whatever a user named something, it is shown
-/// as it is. Long text wraps or ends in "…", nothing runs over the margins.
+/// captions, page numbers, an outline and links. Text is never markup: whatever a user named something, it is
+/// shown as it is. Long text wraps or ends in "…", nothing runs over the margins.
+///
+/// Links lead to files beside the document, or to anchors: names that sections and drawings may have.
 
 #include <memory>
 #include <string>
@@ -35,7 +37,16 @@ struct PdfDrawing
 {
     std::string pdf;
     std::string missing; ///< why there is no drawing; empty where there is one
-    std::string caption;
+    std::string caption; ///< up to its first ": " also in the outline
+    std::string file;    ///< beside the document, with more about it; may be empty
+    std::string anchor;  ///< may be empty, as all anchors
+};
+
+struct PdfFact
+{
+    std::string name;
+    std::string value;
+    std::string file = {}; ///< that it leads to; may be empty
 };
 
 class PdfPages
@@ -48,12 +59,16 @@ public:
     PdfPages &operator=(const PdfPages &) = delete;
 
     void title(const std::string &text, const std::string &subtitle);
-    /// A chapter begins a new page and is in the outline; a section is in the outline beneath it.
+    /// The chapters and sections that follow with their pages, each a link.
+    void contents();
+    /// Chapters are in the outline, sections and drawings beneath theirs.
     void chapter(const std::string &text);
-    void section(const std::string &text);
+    void section(const std::string &text, const std::string &anchor = {});
     void paragraph(const std::string &text);
+    /// "→ text, page 7", a link; nothing where the document has no such anchor.
+    void reference(const std::string &text, const std::string &anchor);
     /// Names and values in two columns.
-    void facts(const std::vector<std::pair<std::string, std::string>> &pairs);
+    void facts(const std::vector<PdfFact> &facts);
     /// Verbatim, in a font of fixed width; more than 110 characters wrap at a blank, indented.
     void verbatim(const std::string &text);
     /// Columns are as wide as their contents want; where that is too much, text wraps and numbers keep their
@@ -63,15 +78,14 @@ public:
                const std::vector<std::vector<PdfTableCell>> &rows);
     /// Side by side in so many columns (\pre at least row.size()), at most `height` points high, with
     /// numbered captions.
-    void drawings(const std::vector<PdfDrawing> &row, std::size_t columns, double height);
+    void drawings(std::vector<PdfDrawing> row, std::size_t columns, double height);
 
     /// The document with every drawing in place. The same calls give the same bytes.
     /// \param created "2026-07-31T12:00:00Z", or empty for no date
     [[nodiscard]] std::string finish(const std::string &created);
 
-    struct State; ///< of the implementation alone
-
 private:
+    struct State;
     std::unique_ptr<State> state_;
 };
 

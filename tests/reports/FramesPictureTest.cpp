@@ -63,8 +63,8 @@ TEST(FramesPicture, CaptionsEveryFrame)
         runProcess({"pdftotext", "frames.pdf", "frames.txt"}, folder.path(), std::chrono::seconds(60));
     ASSERT_TRUE(text.succeeded()) << text.output;
     const std::string words = readFile(folder.path() / "frames.txt");
-    EXPECT_THAT(words, HasSubstr("start: 0 of 3 at goal"));
-    EXPECT_THAT(words, HasSubstr("end, step 6: 3 of 3 at goal"));
+    EXPECT_THAT(words, HasSubstr("start\n0 of 3 at goal"));
+    EXPECT_THAT(words, HasSubstr("end, step 6\n3 of 3 at goal"));
     EXPECT_THAT(words, HasSubstr("<b>title</b>"));
     EXPECT_THAT(words, HasSubstr("\\N"));
 }

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <gtest/gtest.h>
+#include <sstream>
 
 namespace mrpp
 {
@@ -61,6 +62,45 @@ TEST(PdfReport, StandsAlone)
                        "<i>verbatim</i> & more", "Figure 1. Path length on grid (fg vr) against robots",
                        "Solved (%)", "Time (ms)", "Figure 6. Success rate on grid",
                        "tree: 7 vertices, 6 edges, 3 robots", "Of 12 finished runs, 12 solved."});
+}
+
+TEST(PdfReport, LinksToFilesBesideItAndWithinItself)
+{
+    const TemporaryFolder folder;
+    FakeCampaign campaign = smallCampaign();
+    campaign.plan().reports = {"csv", "charts", "layouts", "pdf"};
+    (void)PdfReport().write(campaign.run(solveSmoothly), fakeProvenance(), folder.path());
+    const auto run = [&](const std::vector<std::string> &command)
+    {
+        const auto result = runProcess(command, folder.path(), std::chrono::seconds(60));
+        EXPECT_TRUE(result.succeeded()) << result.output;
+    };
+    run({"qpdf", "--qdf", "--object-streams=disable", "report.pdf", "plain.pdf"});
+    expectWords(readFile(folder.path() / "plain.pdf"),
+                {"/URI (plan.yaml)", "/URI (results.csv)", "/URI (figures/fg_vr-grid-path_length.csv)",
+                 "/URI (layouts/small_benchmark-tree.svg)"});
+
+    run({"pdftotext", "-f", "1", "-l", "1", "-layout", "report.pdf", "contents.txt"});
+    std::istringstream contents(readFile(folder.path() / "contents.txt"));
+    std::string page;
+    for (std::string line; std::getline(contents, line);)
+        if (line.starts_with("Plan "))
+            page = line.substr(line.find_last_of(' ') + 1);
+    ASSERT_NE(page, "");
+    run({"pdftotext", "-f", page, "-l", page, "report.pdf", "page.txt"});
+    expectWords(readFile(folder.path() / "page.txt"), {"Plan\n", "campaign: demo"});
+}
+
+TEST(PdfReport, OfPdfAloneLinksToNoOtherFiles)
+{
+    const TemporaryFolder folder;
+    (void)PdfReport().write(smallCampaign().run(solveSmoothly), fakeProvenance(), folder.path());
+    const auto plain = runProcess({"qpdf", "--qdf", "--object-streams=disable", "report.pdf", "plain.pdf"},
+                                  folder.path(), std::chrono::seconds(60));
+    ASSERT_TRUE(plain.succeeded()) << plain.output;
+    const std::string text = readFile(folder.path() / "plain.pdf");
+    EXPECT_EQ(text.find("/URI (results.csv)"), std::string::npos);
+    EXPECT_EQ(text.find("/URI (figures/"), std::string::npos);
 }
 
 TEST(PdfReport, WritesTheSameBytesAgain)
