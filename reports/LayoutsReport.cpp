@@ -14,9 +14,9 @@ std::vector<std::filesystem::path> LayoutsReport::write(const ResultTable &resul
     const auto add = [&files](const std::vector<std::filesystem::path> &more)
     { files.insert(files.end(), more.begin(), more.end()); };
     for (const LayoutPlan &plan : plannedLayouts(results))
-        for (const Layout &layout : drawLayouts(results, plan))
+        for (const Layout &layout : drawLayouts(results, plan, layouts))
             if (layout.missing.empty())
-                add(writePicture(layouts, layout.name, layout.picture));
+                add(writeLayout(layout, layouts));
             else
                 complaints.push_back(layout.name + ": " + layout.missing);
     add(writeComplaints(layouts, complaints));

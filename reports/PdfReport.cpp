@@ -179,7 +179,7 @@ bool fitsBeside(const std::string &pdf)
     return kLeastScale * width <= kPairWidth && kLeastScale * height <= kPairHeight;
 }
 
-void addLayouts(PdfPages &pages, const ResultTable &results)
+void addLayouts(PdfPages &pages, const ResultTable &results, const std::filesystem::path &layouts)
 {
     const std::vector<LayoutPlan> plans = plannedLayouts(results);
     if (plans.empty())
@@ -202,7 +202,7 @@ void addLayouts(PdfPages &pages, const ResultTable &results)
     };
     for (const LayoutPlan &plan : plans)
     {
-        for (Layout &layout : drawLayouts(results, plan))
+        for (Layout &layout : drawLayouts(results, plan, layouts))
         {
             PdfDrawing drawing{
                 std::move(layout.picture.pdf), layout.missing, layout.caption,
@@ -233,7 +233,7 @@ std::vector<std::filesystem::path> PdfReport::write(const ResultTable &results, 
     addFindings(pages, results);
     addTables(pages, results);
     addFigures(pages, results, folder / kFigures);
-    addLayouts(pages, results);
+    addLayouts(pages, results, folder / kLayouts);
     pages.chapter("Plan");
     pages.verbatim(results.plan().text);
     writeFile(file, pages.finish(provenance.finished));

@@ -5,6 +5,7 @@
 #include "framework/campaign/ResultTable.h"
 #include "reports/drawing/Picture.h"
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -27,14 +28,22 @@ struct LayoutPlan
 struct Layout
 {
     std::string name; ///< file name without extension
-    Picture picture;
-    std::string missing; ///< why there is no picture; empty where there is one
-    std::string caption; ///< what it is, its size and whose routes; can stand alone
+    Picture picture = {};
+    std::string missing = {}; ///< why there is no picture; empty where there is one
+    std::string caption;      ///< what it is, its size and whose routes; can stand alone
+    std::string inputs = {};  ///< a hash of all that it was drawn from
+    bool isFresh = true;      ///< false where the folder held it already
 };
 
 /// Makes the instance again and draws it: with the routes of the first kept solution; the structure of its
 /// graph (`NAME-structure`, up to kLargestGraph vertices); and key steps of that solution (`NAME-steps`).
-/// What cannot be drawn is missing alone.
-[[nodiscard]] std::vector<Layout> drawLayouts(const ResultTable &results, const LayoutPlan &plan);
+/// What cannot be drawn is missing alone. A layout that `folder` holds, drawn by this program from the same
+/// inputs, is taken from there: NAME.txt is written after the pictures, so it vouches for them.
+[[nodiscard]] std::vector<Layout> drawLayouts(const ResultTable &results, const LayoutPlan &plan,
+                                              const std::filesystem::path &folder);
+
+/// Writes the pictures and last NAME.txt, where they are not there already: the caption, and what vouches for
+/// the pictures. Returns the files' paths. Throws FileError. \pre it is not missing
+std::vector<std::filesystem::path> writeLayout(const Layout &layout, const std::filesystem::path &folder);
 
 } // namespace mrpp

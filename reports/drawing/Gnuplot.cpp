@@ -53,22 +53,14 @@ std::optional<Picture> keptPicture(const Figure &figure, const std::filesystem::
 {
     try
     {
-        const auto read = [&](const char *extension) { return readFile(folder / (figure.name + extension)); };
-        if (read(".gp") != gnuplotScript(figure))
-            return std::nullopt;
-        Picture picture{read(".png"), read(".pdf"), read(".svg")};
-        verify(picture);
-        (void)pageSize(picture.pdf);
-        return picture;
+        if (readFile(folder / (figure.name + ".gp")) == gnuplotScript(figure))
+            return readPicture(folder, figure.name);
     }
     catch (const FileError &)
     {
-        return std::nullopt;
+        // It has not been drawn yet.
     }
-    catch (const DrawingError &)
-    {
-        return std::nullopt;
-    }
+    return std::nullopt;
 }
 
 } // namespace

@@ -1,6 +1,8 @@
 #include "reports/drawing/Picture.h"
 
+#include "framework/support/Error.h"
 #include "framework/support/File.h"
+#include "reports/drawing/PdfFile.h"
 
 namespace mrpp
 {
@@ -29,6 +31,26 @@ std::vector<std::filesystem::path> writePicture(const std::filesystem::path &fol
     write(".pdf", picture.pdf);
     write(".svg", picture.svg);
     return files;
+}
+
+std::optional<Picture> readPicture(const std::filesystem::path &folder, const std::string &name)
+{
+    try
+    {
+        const auto read = [&](const char *extension) { return readFile(folder / (name + extension)); };
+        Picture picture{read(".png"), read(".pdf"), read(".svg")};
+        verify(picture);
+        (void)pageSize(picture.pdf);
+        return picture;
+    }
+    catch (const FileError &)
+    {
+        return std::nullopt;
+    }
+    catch (const DrawingError &)
+    {
+        return std::nullopt;
+    }
 }
 
 std::vector<std::filesystem::path> writeComplaints(const std::filesystem::path &folder,

@@ -3,6 +3,7 @@
 /// A finished drawing in the three formats in which every figure and layout is kept.
 
 #include <filesystem>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -31,6 +32,10 @@ void verify(const Picture &picture);
 /// Writes NAME.png, NAME.pdf and NAME.svg and returns their paths. Throws FileError.
 std::vector<std::filesystem::path> writePicture(const std::filesystem::path &folder, const std::string &name,
                                                 const Picture &picture);
+
+/// What writePicture() left under that name; nothing where a file is missing or damaged.
+[[nodiscard]] std::optional<Picture> readPicture(const std::filesystem::path &folder,
+                                                 const std::string &name);
 
 /// Writes NOT_DRAWN.txt with one line a complaint, and returns its path; without complaints removes what an
 /// earlier report left there and returns nothing. Throws FileError.

@@ -233,10 +233,10 @@ TEST(LayoutsReport, DrawsWhatItCanAndSaysWhatItCannot)
                                     .solution("tree", kTreeRoutes)
                                     .run(solveSmoothly);
     const auto files = LayoutsReport().write(results, fakeProvenance(), folder.path());
-    ASSERT_EQ(files.size(), 10U);
+    ASSERT_EQ(files.size(), 13U);
     for (const char *name :
          {"small_benchmark-tree", "small_benchmark-tree-structure", "small_benchmark-tree-steps"})
-        for (const char *extension : {".svg", ".pdf", ".png"})
+        for (const char *extension : {".svg", ".pdf", ".png", ".txt"})
             EXPECT_TRUE(std::filesystem::exists(folder.path() / "layouts" / (std::string(name) + extension)));
     EXPECT_EQ(
         readFile(folder.path() / "layouts" / "NOT_DRAWN.txt"),
@@ -244,6 +244,57 @@ TEST(LayoutsReport, DrawsWhatItCanAndSaysWhatItCannot)
         "coordinates to draw a map from\n");
     EXPECT_NE(readFile(folder.path() / "layouts" / "small_benchmark-tree.svg").find("robots 2, 0"),
               std::string::npos);
+}
+
+TEST(LayoutsReport, DrawsOnlyWhatHasChanged)
+{
+    const TemporaryFolder folder;
+    const auto campaign = [](const Solution &treeRoutes)
+    {
+        return FakeCampaign("layouts")
+            .planners(1)
+            .problem("small_benchmark", "tree", treeInstance())
+            .problem("small_benchmark", "grid", gridInstance(3, 2))
+            .solution("tree", treeRoutes)
+            .run(solveSmoothly);
+    };
+    const auto report = [&](const Solution &treeRoutes)
+    { return LayoutsReport().write(campaign(treeRoutes), fakeProvenance(), folder.path()); };
+    const auto path = [&](const char *name) { return folder.path() / "layouts" / name; };
+    const auto mark = [&]
+    {
+        for (const char *name : {"small_benchmark-tree.svg", "small_benchmark-tree-structure.svg",
+                                 "small_benchmark-tree-steps.svg", "small_benchmark-grid.svg"})
+            writeFile(path(name), "<svg></svg><!-- kept -->");
+    };
+    const auto isKept = [&](const char *name) { return readFile(path(name)).ends_with("<!-- kept -->"); };
+
+    const auto files = report(kTreeRoutes);
+    const std::string tree = readFile(path("small_benchmark-tree.svg"));
+    EXPECT_TRUE(readFile(path("small_benchmark-tree-structure.txt"))
+                    .starts_with("tree: structure of its graph of 7 vertices, 6 edges: 6 isthmuses"));
+    mark();
+    EXPECT_EQ(report(kTreeRoutes), files);
+    for (const char *name : {"small_benchmark-tree.svg", "small_benchmark-tree-structure.svg",
+                             "small_benchmark-tree-steps.svg", "small_benchmark-grid.svg"})
+        EXPECT_TRUE(isKept(name)) << name;
+    const ResultTable results = campaign(kTreeRoutes);
+    const auto forPdf = drawLayouts(results, plannedLayouts(results).front(), folder.path() / "layouts");
+    EXPECT_EQ(forPdf.front().picture.svg, "<svg></svg><!-- kept -->");
+
+    Solution longer = kTreeRoutes;
+    longer.append({2, 3, 4});
+    (void)report(longer);
+    EXPECT_FALSE(isKept("small_benchmark-tree.svg"));
+    EXPECT_FALSE(isKept("small_benchmark-tree-steps.svg"));
+    EXPECT_TRUE(isKept("small_benchmark-grid.svg"));
+
+    (void)report(kTreeRoutes);
+    EXPECT_EQ(readFile(path("small_benchmark-tree.svg")), tree);
+    std::filesystem::remove(path("small_benchmark-grid.pdf")); // one that is damaged
+    (void)report(kTreeRoutes);
+    EXPECT_TRUE(std::filesystem::exists(path("small_benchmark-grid.pdf")));
+    EXPECT_FALSE(isKept("small_benchmark-grid.svg"));
 }
 
 TEST(LayoutsReport, ThrowsWhereItCannotWrite)
