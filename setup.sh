@@ -12,10 +12,10 @@ packages=(
     clang-format clang-tidy
 )
 
-# Only some tests need these, and are skipped without them: Slurm on two nodes of this machine, and the browser in
+# Only some tests need these, and are skipped without them: Slurm on two nodes of this machine, and the browsers in
 # which the explorer's tests run, where Node.js builds the explorer.
 optional=(slurmctld slurmd slurm-client munge)
-if command -v node >/dev/null && command -v npm >/dev/null; then optional+=(chromium); fi
+if command -v node >/dev/null && command -v npm >/dev/null; then optional+=(chromium firefox-esr); fi
 
 is_missing() { [ "$(dpkg-query -W -f='${db:Status-Status}' "$1" 2>/dev/null)" != installed ]; }
 missing=()
@@ -44,5 +44,7 @@ echo "Installing $((${#missing[@]} + ${#wanted[@]})) packages: ${missing[*]} ${w
 "${as_root[@]}" apt-get update -qq || [ ${#missing[@]} -eq 0 ]
 if [ ${#missing[@]} -gt 0 ]; then install "${missing[@]}"; fi
 if [ ${#wanted[@]} -gt 0 ]; then
-    install "${wanted[@]}" || echo "setup.sh: ${wanted[*]} could not be installed; the tests that need them are skipped" >&2
+    install "${wanted[@]}" || for package in "${wanted[@]}"; do
+        install "$package" || echo "setup.sh: $package could not be installed; the tests that need it are skipped" >&2
+    done
 fi

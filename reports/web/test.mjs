@@ -26,6 +26,8 @@ for (const name of process.argv.slice(2)) {
         outfile,
         logLevel: "warning",
     });
-    const code = run(outfile);
+    // Global in Node.js 22; a flag of 20.
+    const flag = "--experimental-websocket";
+    const code = run(...(process.allowedNodeEnvironmentFlags.has(flag) ? [flag] : []), outfile);
     if (code !== 0) process.exit(code);
 }

@@ -133,6 +133,12 @@ export class Browser {
         await this.page.waitForSelector("[role=tab]");
     }
 
+    /** Goes to another view of the page that is open, as a link in it would. */
+    async go(hash: string): Promise<void> {
+        await this.page.evaluate((to) => (location.hash = to), hash);
+        await this.settle();
+    }
+
     /** Controls in sight, inside an element, that nothing in this file has driven. */
     async undriven(selector: string): Promise<string[]> {
         const names = await this.page

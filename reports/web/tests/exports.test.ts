@@ -120,14 +120,14 @@ test("the animation as GIF has its frames, which differ, for as long as it plays
 });
 
 test("the animation as WebM plays for as long as it should", async () => {
-    await browser.open(report, "view=player&speed=10");
+    await browser.open(report, "view=player&speed=30");
     const steps = Number((await browser.readout()).match(/^Step 0 of (\d+)/)![1]);
     const box = (await browser.page.locator(".panel canvas").boundingBox())!;
     const webm = await decoded(await kept("export.webm", /^The animation as WebM/), "video/webm");
     assert.equal(webm.width, 2 * Math.ceil((box.width - 2) / 2));
     assert.equal(new Set(sums(webm)).size, 3);
     assert.ok(webm.frames.every(({ colors }) => colors > 8));
-    assert.ok(Math.abs(webm.seconds! - steps / 10) < 0.1, `${webm.seconds} s`);
+    assert.ok(Math.abs(webm.seconds! - steps / 30) < 0.1, `${webm.seconds} s`);
 });
 
 test("an export can be cancelled", async () => {

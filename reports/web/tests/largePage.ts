@@ -35,7 +35,7 @@ export function enlarged(page: string, count: number): string {
     });
     const packed = deflateSync(
         JSON.stringify({ columns, absences: { texts: [""], rows: indices.map(() => 0) } }),
-        { level: 9 },
+        { level: 6 },
     );
     const description = JSON.stringify({ ...about, runCount: count, cases: [], playable: [] }).replaceAll(
         "<",

@@ -82,13 +82,12 @@ for (const [kind, file] of [
         assert.ok((await browser.readout()).startsWith(`Step 0 of ${length},`));
         const [cell, corner] = await gridOnScreen();
         assert.ok(cell > 20, `${cell} pixels a cell`);
-        for (const step of [0, 1, 7, Math.floor(length / 2), length - 1, length]) {
-            await browser.open(page, `view=player&p=0:${kind}&t=${step}`);
+        for (const step of [1, Math.floor(length / 2), length - 1, length]) {
+            await browser.go(`view=player&p=0:${kind}&t=${step}`);
             assert.ok((await browser.readout()).startsWith(`Step ${step} of ${length},`));
             await checkFrame(moves, step, cell, corner);
         }
-        await browser.open(page, `view=player&p=0:${kind}&t=${0.5}`);
-        await browser.readout();
+        await browser.go(`view=player&p=0:${kind}&t=0.5`);
         const [first] = moves;
         const half = (await drawnPlaces())[first.robot];
         const [from, to] = [first.from, first.to].map((v) => [v % kSide, Math.floor(v / kSide)]);
@@ -115,7 +114,7 @@ test("the robot that is followed is named with its vertex", async () => {
         [7, 11],
         [kRobots - 1, 20],
     ]) {
-        await browser.open(page, `view=player&p=0:steps&follow=${robot}&t=${step}`);
+        await browser.go(`view=player&p=0:steps&follow=${robot}&t=${step}`);
         const vertex = placeAfter(moves, robot, step) ?? starts[robot];
         assert.match(await browser.readout(), new RegExp(`robot ${robot} is on vertex ${vertex},`));
     }

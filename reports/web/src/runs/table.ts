@@ -208,5 +208,5 @@ function widthOf(column: Column): number {
         .slice(0, kMostLooked)
         .reduce((most, text) => Math.max(most, text.length), column.title.length);
     const forBold = column.name === "status" ? 30 : 0;
-    return Math.min(Math.max(forTitle, longest * 8.2 + 18 + forBold), 300);
+    return Math.min(Math.max(forTitle, longest * 8.2 + 26 + forBold), 300);
 }
