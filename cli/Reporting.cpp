@@ -74,8 +74,30 @@ std::vector<std::filesystem::path> writeReports(const BenchmarkPlan &plan,
     throw InputError(all + "; all other reports are written");
 }
 
+namespace
+{
+
+/// What reports had to leave out, in a line on the standard error for each of them.
+void sayWhatIsMissing(const std::vector<std::filesystem::path> &files)
+{
+    for (const std::filesystem::path &file : files)
+    {
+        if (file.filename() != "NOT_DRAWN.txt")
+            continue;
+        const std::string text = readFile(file);
+        const auto lines = std::count(text.begin(), text.end(), '\n');
+        std::cerr << "warning: " << text.substr(0, text.find('\n'));
+        if (lines > 1)
+            std::cerr << " (and " << lines - 1 << " more, see " << file.string() << ')';
+        std::cerr << '\n';
+    }
+}
+
+} // namespace
+
 void sayWhere(const std::vector<std::filesystem::path> &files, const std::filesystem::path &folder)
 {
+    sayWhatIsMissing(files);
     for (const char *name : {"report.html", "report.pdf", "results.csv"})
     {
         const auto file = std::find_if(files.begin(), files.end(),

@@ -25,7 +25,8 @@ std::vector<std::filesystem::path> writeReports(const BenchmarkPlan &plan,
                                                 const std::vector<std::string> &kinds,
                                                 const std::filesystem::path &folder, const Catalog &catalog);
 
-/// Says on the standard output where to look: at the report itself, else at the tables.
+/// Says on the standard output where to look: at the report itself, else at the tables; and on the standard
+/// error what could not be drawn, and why.
 void sayWhere(const std::vector<std::filesystem::path> &files, const std::filesystem::path &folder);
 
 } // namespace mrpp

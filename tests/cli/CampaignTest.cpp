@@ -1,5 +1,6 @@
 #include "tests/cli/Comparison.h"
 #include "tests/cli/Program.h"
+#include "tests/reports/EnvironmentVariable.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -16,6 +17,7 @@ namespace mrpp::test
 namespace
 {
 
+using mrpp::testing::EnvironmentVariable;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
@@ -50,6 +52,22 @@ TEST(Campaign, findsItsMapsWhereItIsTold)
     // The report knows it too: an instance can be drawn.
     EXPECT_EQ(mrppsim({"report", "results/bare", "--only", "layouts"}, scratch).code, 0);
     EXPECT_TRUE(scratch.has("results/bare/layouts/public_benchmark-room.svg"));
+}
+
+TEST(Campaign, saysWhatItsReportsCouldNotDraw)
+{
+    const Scratch scratch;
+    scratch.write("plan.yaml",
+                  "problems: [small_benchmark: [tree]]\nplanners: [push_and_swap]\nrepetitions: 1\n"
+                  "reports: [csv, html, charts]\n");
+    const EnvironmentVariable path("PATH", scratch.path().string());
+    const Outcome outcome = mrppsim({"run", "plan.yaml"}, scratch);
+    EXPECT_EQ(outcome.code, 0);
+    EXPECT_THAT(outcome.err, HasSubstr("gnuplot cannot be started; install it"));
+#ifndef MRPP_HAS_EXPLORER
+    EXPECT_THAT(outcome.err,
+                HasSubstr("warning: report.html: this mrppsim was built without Node.js and npm"));
+#endif
 }
 
 TEST(Campaign, aSecondTimeKeepsEverythingAndRunsNothing)

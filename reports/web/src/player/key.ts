@@ -16,8 +16,10 @@ export function keyOf(marks: Marks, what: string, theme: Theme): HTMLElement[] {
 export function legendEntry(color: string, text: string, dash = 0): HTMLElement {
     const mark = el("span", { class: "swatch", "aria-hidden": true });
     if (dash === 0) mark.style.backgroundColor = color;
-    else
+    else {
+        mark.style.width = `${3 * dash}px`;
         mark.style.background = `repeating-linear-gradient(90deg, ${color} 0 ${dash}px, transparent 0 ${2 * dash}px)`;
+    }
     return el("span", { class: "entry" }, mark, text);
 }
 
