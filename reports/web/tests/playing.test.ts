@@ -65,7 +65,9 @@ describe("player", () => {
         await changes("trails", () => page.getByLabel("Trails", { exact: true }).check());
         await changes("goals", () => page.getByLabel("Goals", { exact: true }).uncheck());
         await changes("blocks", () => page.getByLabel("Blocks and isthmuses", { exact: true }).check());
+        assert.match(await browser.text(".legend ~ .legend"), /isthmuses.*blocks/);
         await changes("traffic", () => page.getByLabel("Heat", { exact: true }).selectOption("traffic"));
+        assert.match(await browser.text(".legend ~ .legend"), /^moves over a vertex: 1 to \d+, logarithmic$/);
         await changes("waiting", () => page.getByLabel("Heat", { exact: true }).selectOption("waiting"));
         await picture("player-heat");
         await page.getByLabel("Heat", { exact: true }).selectOption("none");
@@ -98,6 +100,7 @@ describe("player", () => {
         await page.getByLabel("In step by", { exact: true }).selectOption("share");
         await goToStep(3);
         await picture("player-compare");
+        assert.match(await browser.text(".legend"), /at their goals in solution 2/);
         await press(/^Take this solution away/);
         await page.waitForFunction(() => document.querySelectorAll(".panel").length === 1);
         const cases = page.getByLabel("Case", { exact: true });
@@ -245,6 +248,7 @@ describe("player", () => {
         await picture("conflict");
         await press(/^To the conflict or rotation before/);
         assert.match(await browser.text(".words"), /turn in a cycle/);
+        assert.match(await browser.text(".legend"), /1 conflict1 rotation$/);
     });
 
     test("no control is left out of these tests", async () => {

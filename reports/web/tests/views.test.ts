@@ -221,6 +221,13 @@ describe("looks", () => {
         await browser.page.getByLabel("Colours").selectOption("dark");
         assert.notEqual(await browser.pixels(".panel canvas"), light);
         await picture("dark");
+        const dark = await browser.pixels(".panel canvas");
+        const print = (event: string): Promise<unknown> =>
+            browser.page.evaluate((name) => dispatchEvent(new Event(name)), event);
+        await print("beforeprint");
+        assert.equal(await browser.pixels(".panel canvas"), light, "paper is white");
+        await print("afterprint");
+        assert.equal(await browser.pixels(".panel canvas"), dark);
         await browser.page.emulateMedia({ colorScheme: "dark" });
         await browser.page.getByLabel("Colours").selectOption("");
         await picture("dark-system");

@@ -11,7 +11,7 @@ import { Panel } from "./panel";
 import { Strip } from "./strip";
 import { type Kind, Track, kEventShare, kindName, kindsOf } from "./track";
 import type { Marks } from "./view";
-import { describeTime } from "./words";
+import { counted, describeTime } from "./words";
 
 interface Slot {
     panel: Panel;
@@ -175,7 +175,7 @@ export class PlayerView {
             );
         });
         const moves = track.steps.robots.length;
-        const size = `${moves} moves in ${track.length} steps`;
+        const size = `${counted(moves, "move")} in ${counted(track.length, "step")}`;
         const caption = slot.element.querySelector("figcaption")!;
         caption.replaceChildren(select, el("span", { class: "size" }, size));
         if (canBeRemoved)

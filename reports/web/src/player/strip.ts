@@ -4,6 +4,7 @@ import { el } from "../page/dom";
 import type { Theme } from "../page/theme";
 import { legendEntry } from "./key";
 import { countInside } from "./measures";
+import { counted } from "./words";
 import type { Track } from "./track";
 
 /** What is shown. The first track has all its curves, the others their robots at goals. */
@@ -105,8 +106,8 @@ export class Strip {
         );
         const conflicts = track.events.filter((event) => event.kind === "conflict").length;
         const rotations = track.events.length - conflicts;
-        if (conflicts > 0) this.legend.append(legendEntry(theme.conflict, `${conflicts} conflicts`));
-        if (rotations > 0) this.legend.append(legendEntry(theme.rotation, `${rotations} rotations`));
+        if (conflicts > 0) this.legend.append(legendEntry(theme.conflict, counted(conflicts, "conflict")));
+        if (rotations > 0) this.legend.append(legendEntry(theme.rotation, counted(rotations, "rotation")));
     }
 }
 

@@ -22,3 +22,7 @@ export function describeTime(track: Track, time: number, followed: number): stri
     }
     return `${parts.join(", ")}.`;
 }
+
+export function counted(count: number, thing: string): string {
+    return `${count} ${thing}${count === 1 ? "" : "s"}`;
+}
