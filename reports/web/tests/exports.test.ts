@@ -108,15 +108,15 @@ test("panels side by side become one picture", async () => {
 });
 
 test("the animation as GIF has its frames, which differ, for as long as it plays", async () => {
-    await browser.open(report, "view=player&speed=5");
+    await browser.open(report, "view=player&speed=10");
     const steps = Number((await browser.readout()).match(/^Step 0 of (\d+)/)![1]);
     const gif = await decoded(await kept("export.gif", /^The animation as GIF/), "image/gif");
     assert.equal(gif.width, 720);
-    assert.equal(gif.frames.length, Math.round((steps / 5) * 12));
+    assert.equal(gif.frames.length, Math.round((steps / 10) * 12));
     assert.ok(new Set(sums(gif)).size > 0.9 * gif.frames.length, "frames differ");
     assert.ok(gif.frames.every(({ colors }) => colors > 8));
     const most = gif.frames.slice(0, -1).reduce((sum, { milliseconds }) => sum + milliseconds, 0);
-    assert.ok(Math.abs(most - (1000 * steps) / 5) < 500, `${most} ms`);
+    assert.ok(Math.abs(most - (1000 * steps) / 10) < 500, `${most} ms`);
 });
 
 test("the animation as WebM plays for as long as it should", async () => {

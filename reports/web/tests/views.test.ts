@@ -233,12 +233,18 @@ describe("looks", () => {
         await picture("dark-system");
         await browser.page.emulateMedia({ colorScheme: "light" });
         await browser.page.setViewportSize({ width: 420, height: 800 });
-        for (const view of ["overview", "charts", "runs", "player"]) {
+        for (const view of [
+            "overview",
+            "charts",
+            "runs",
+            "player&p=0:steps~0:moves~1:steps~1:moves",
+            "player",
+        ]) {
             await browser.open(report, `view=${view}`);
             await browser.settle();
             const across = await browser.page.evaluate(() => document.documentElement.scrollWidth);
             assert.ok(across <= 421, `${view} is ${across} wide`);
-            await picture(`narrow-${view}`);
+            await picture(`narrow-${view.split("&")[0]}`);
         }
         await browser.page.setViewportSize({ width: 1280, height: 800 });
         await browser.open(report, "view=runs");
