@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
 #include <map>
 
 namespace mrpp
@@ -79,6 +80,8 @@ void addAnytimeFigures(FigureList &figures, const ResultTable &results,
         {
             double first = 0;
             double last = 0;
+            double least = std::numeric_limits<double>::infinity();
+            double greatest = -least;
             std::size_t most = 0;
             for (const auto &[planner, curves] : planners)
                 for (const Curve &curve : curves)
@@ -86,8 +89,13 @@ void addAnytimeFigures(FigureList &figures, const ResultTable &results,
                     first = first == 0 ? curve.front().first : std::min(first, curve.front().first);
                     last = std::max(last, curve.back().first);
                     most = std::max(most, curve.size());
+                    for (const auto &[time, value] : curve)
+                    {
+                        least = std::min(least, value);
+                        greatest = std::max(greatest, value);
+                    }
                 }
-            if (most < kWatched || !(first > 0) || last <= first)
+            if (most < kWatched || !(first > 0) || last <= first || least == greatest)
                 continue;
             std::vector<double> times;
             for (std::size_t i = 0; i < kTimes; ++i)
@@ -95,7 +103,7 @@ void addAnytimeFigures(FigureList &figures, const ResultTable &results,
             times.back() = last;
             Figure figure;
             figure.variable = "Time since the start of solve() (s)";
-            figure.measure = spaced(property);
+            figure.measure = variableTitle(property);
             figure.shareTitle = "Runs (%)";
             figure.countsSolved = false;
             figure.logX = true;
@@ -111,7 +119,7 @@ void addAnytimeFigures(FigureList &figures, const ResultTable &results,
             const std::string point =
                 at ? fmt::format(" at {} = {}", spaced(problem.sweepVariable), formatNumber(*at)) : "";
             figure.title =
-                fmt::format("{} over time on {}{}", spaced(property), oneLine(problem.problem), point);
+                fmt::format("{} over time on {}{}", variableTitle(property), oneLine(problem.problem), point);
             figure.caption =
                 fmt::format("The planners' own measure “{}” while they work on {} ({}){}. Lines: median over "
                             "the runs, finished ones "

@@ -76,6 +76,12 @@ Figure curvesFigure(const FigureList &figures, const ResultTable &results, const
         if (const auto value = run.solved() ? numericValue(run, chart.y) : std::nullopt)
             cell.values.push_back(*value);
     }
+    constexpr std::size_t kCurves = 24; // as many legends fit a page
+    if (curves.size() > kCurves)
+        throw DrawingError(
+            fmt::format("{} curves are too many to tell apart (at most {}); name a problem, or a "
+                        "column with fewer values",
+                        curves.size(), kCurves));
     Figure figure;
     figure.variable = axisTitle(chart.x);
     figure.measure = axisTitle(chart.y);
@@ -104,8 +110,7 @@ Figure curvesFigure(const FigureList &figures, const ResultTable &results, const
     figure.title = fmt::format("{} against {}{}", measureName(chart.y), spaced(chart.x), where);
     figure.caption = fmt::format(
         "{} against {}{}{}. Lines: median over the solved runs; bands: their quartiles. Hollow markers: not "
-        "every run was "
-        "solved, the lower panel shows the share that was.{}",
+        "every run was solved, the lower panel shows the share that was.{}",
         measureName(chart.y), spaced(chart.x), where,
         groups.size() > 1 ? fmt::format(", a curve for each planner and {}", spaced(chart.per)) : "",
         without == 0 ? ""

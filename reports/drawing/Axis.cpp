@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <fmt/format.h>
 #include <limits>
 
 namespace mrpp
@@ -20,6 +21,12 @@ constexpr double kTwoDecades = 100;
 bool spansDecades(double least, double most)
 {
     return least > 0 && most / least > kTwoDecades;
+}
+
+/// Whole numbers in full, others with three significant digits.
+std::string shortNumber(double value)
+{
+    return value == std::round(value) ? formatNumber(value) : fmt::format("{:.3g}", value);
 }
 
 /// A named tic at each power of ten within the range and small ones between; over many decades fewer names,
@@ -100,27 +107,26 @@ std::string powerOfTen(int exponent)
 Axis thinned(Axis axis, double centimetres)
 {
     constexpr double kDigit = 0.2;
-    constexpr double kGap = 0.35;
+    constexpr double kGap = 0.3;
+    const auto scaled = [&axis](double at) { return axis.logarithmic ? std::log10(at) : at; };
+    const double unit = centimetres / (scaled(axis.most) - scaled(axis.least));
+    const auto touches = [&](const Tic &left, const Tic &right)
+    {
+        const auto characters = static_cast<double>(characterCount(left.label) + characterCount(right.label));
+        return unit * (scaled(right.at) - scaled(left.at)) < kGap + kDigit * characters / 2;
+    };
     for (;;)
     {
-        double width = 0;
-        std::size_t named = 0;
-        for (const Tic &tic : axis.tics)
-            if (!tic.label.empty())
-            {
-                width += kGap + kDigit * static_cast<double>(characterCount(tic.label));
-                ++named;
-            }
-        if (width <= centimetres || named <= 2)
-            return axis;
-        bool keep = true;
+        std::vector<Tic *> named;
         for (Tic &tic : axis.tics)
             if (!tic.label.empty())
-            {
-                if (!keep)
-                    tic.label.clear();
-                keep = !keep;
-            }
+                named.push_back(&tic);
+        const auto crowded = std::adjacent_find(named.begin(), named.end(),
+                                                [&](const Tic *a, const Tic *b) { return touches(*a, *b); });
+        if (crowded == named.end() || named.size() <= 2)
+            return axis;
+        for (std::size_t i = 1; i < named.size(); i += 2)
+            named[i]->label.clear();
     }
 }
 
@@ -174,7 +180,7 @@ Axis sweepAxis(std::vector<double> values, std::optional<bool> wish)
     constexpr double kTicsAtMost = 12;
     if (gap * kTicsAtMost >= range)
         for (const double value : values)
-            axis.tics.push_back({value, formatNumber(value)});
+            axis.tics.push_back({value, shortNumber(value)});
     else if (logarithmic)
         axis.tics = decadeTics(axis.least, axis.most);
     else

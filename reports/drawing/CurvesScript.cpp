@@ -64,7 +64,6 @@ std::string curvesScript(const Figure &figure)
     MeasureScale scale = scaleOf(figure.measure, pointValues(figure), figure.logY);
     if (figure.isPercentage)
         scale.axis = {false, -4, 104, {{0, "0"}, {25, "25"}, {50, "50"}, {75, "75"}, {100, "100"}}};
-    const Axis sweep = sweepAxis(std::move(places), figure.logX);
     const bool hasShares = !figure.isPercentage;
     const bool hasBounds = !figure.bounds.empty();
 
@@ -75,6 +74,7 @@ std::string curvesScript(const Figure &figure)
     Page page =
         pageFor(figure.series.size() + (hasBounds ? 1 : 0), longest, kPanel, hasShares ? kSharePanel : 0);
     page.left = leftOf(scale.axis);
+    const Axis sweep = thinned(sweepAxis(std::move(places), figure.logX), page.right - page.left);
     writePoints(script, figure, scale.unit, std::vector<double>(figure.series.size()));
     writeFits(script, figure, scale.unit);
     Script::Blocks bounds(1);

@@ -14,7 +14,8 @@ namespace
 constexpr double kLine = 0.55; // centimetres
 constexpr double kFirstBar = 0.55;
 constexpr double kBarGap = 0.38;
-constexpr double kAbove = 2.6; // of the axis: its numbers and the critical difference
+constexpr std::size_t kNameCharacters = 22; // more would leave the axis no room
+constexpr double kAbove = 2.6;              // of the axis: its numbers and the critical difference
 
 } // namespace
 
@@ -29,11 +30,13 @@ std::string ranksScript(const Figure &figure)
     Script script(figure.name);
     script.define("title_text", titleText(figure.title));
     script.define("difference_text", fmt::format("critical difference {:.2f}", figure.criticalDifference));
-    std::size_t name = 0;
+    std::size_t leftName = 0;
+    std::size_t rightName = 0;
     for (std::size_t i = 0; i < count; ++i)
     {
-        const std::string label =
-            rowText(figure.series[i].label) + fmt::format("  {:.2f}", figure.series[i].meanRank);
+        const std::string label = ellipsize(oneLine(figure.series[i].label), kNameCharacters) +
+                                  fmt::format("  {:.2f}", figure.series[i].meanRank);
+        std::size_t &name = i < onLeft ? leftName : rightName;
         name = std::max(name, characterCount(label));
         script.define(fmt::format("label_{}", i), label);
     }
@@ -41,8 +44,8 @@ std::string ranksScript(const Figure &figure)
     page.bottom -= kAxisHeight;
     page.top -= kAxisHeight;
     page.height -= kAxisHeight;
-    page.left = 0.5 + static_cast<double>(name) * kCharacter;
-    page.right = kFigureWidth - page.left;
+    page.left = 0.5 + static_cast<double>(leftName) * kCharacter;
+    page.right = kFigureWidth - 0.5 - static_cast<double>(rightName) * kCharacter;
 
     script.beginFormats(page);
     script.panel(page.left, page.right, page.bottom, page.top);

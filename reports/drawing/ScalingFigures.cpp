@@ -67,7 +67,7 @@ std::optional<Figure> scalingFigure(const FigureList &figures, const ProblemSumm
 {
     constexpr std::size_t kFitPoints = 48;
     Figure figure;
-    figure.variable = metricTitle(size);
+    figure.variable = variableTitle(metricTitle(size));
     figure.measure = metricTitle(column);
     figure.logX = true;
     figure.logY = true;

@@ -163,7 +163,8 @@ Page pageFor(std::size_t entries, std::size_t characters, double panelHeight, do
     page.left = 2.4;
     page.right = kFigureWidth - kFigureMargin;
     page.bottom = legend + kAxisHeight + below;
-    page.top = page.bottom + panelHeight;
+    // gnuplot begins another column where a legend is higher than its panel.
+    page.top = page.bottom + std::max(panelHeight, static_cast<double>(page.legendRows + 1) * kLegendRow);
     page.height = page.top + kTitleHeight;
     return page;
 }

@@ -119,6 +119,39 @@ TEST(AnytimeFigure, FollowsTheMedianRun)
     EXPECT_EQ(figure.series[0].points.back().at, 0.4);
 }
 
+TEST(AnytimeFigure, IsLeftOutWhereNothingChanges)
+{
+    FakeCampaign campaign("watched");
+    campaign.planner("first").problem("m", "tree", treeInstance());
+    const ResultTable plain = campaign.run(cost);
+    const ResultTable results(campaign.plan(), plain.records(), {},
+                              [](const std::string &)
+                              {
+                                  Progress progress;
+                                  progress.names = {"fallbacks"};
+                                  for (int i = 1; i <= 4; ++i)
+                                      progress.samples.push_back({0.1 * i, {0}});
+                                  return progress;
+                              });
+    for (const Figure &figure : campaignFigures(results).figures)
+        EXPECT_THAT(figure.name, ::testing::Not(::testing::HasSubstr("anytime")));
+}
+
+TEST(AskedFigure, OfTooManyCurvesIsRefused)
+{
+    FakeCampaign campaign = growing();
+    ChartRequest curves;
+    curves.x = "vertices";
+    curves.y = "path_length";
+    curves.per = "run_key"; // a curve for each run
+    campaign.plan().charts = {curves};
+    campaign.plan().automaticCharts = false;
+    const auto [figures, complaints] = campaignFigures(campaign.run(cost));
+    EXPECT_TRUE(figures.empty());
+    ASSERT_EQ(complaints.size(), 1U);
+    EXPECT_THAT(complaints[0], ::testing::HasSubstr("curves are too many to tell apart (at most 24)"));
+}
+
 TEST(AskedFigure, IsWhatThePlanSays)
 {
     FakeCampaign campaign = growing();

@@ -93,6 +93,12 @@ TEST(SweepAxis, NamesEveryValueWhereThereIsRoom)
     EXPECT_GT(single.most, 5);
 }
 
+TEST(SweepAxis, NamesFractionsByThreeDigits)
+{
+    EXPECT_EQ(sweepAxis({4.0 / 9, 5.0 / 9}).tics[0].label, "0.444");
+    EXPECT_EQ(sweepAxis({1234567, 2345678}).tics[0].label, "1234567");
+}
+
 std::string labels(const Axis &axis)
 {
     std::string text;
@@ -100,6 +106,14 @@ std::string labels(const Axis &axis)
         if (!tic.label.empty())
             text += tic.label + "|";
     return text;
+}
+
+TEST(ThinnedAxis, KeepsNamesThatDoNotTouch)
+{
+    const Axis axis = measureAxis({15, 4000});
+    EXPECT_EQ(labels(thinned(axis, 20)), "20|50|100|200|500|1000|2000|5000|");
+    EXPECT_EQ(labels(thinned(axis, 7)), "20|100|500|2000|"); // 1000 and 2000 would touch
+    EXPECT_EQ(labels(thinned(axis, 0.1)), "20|500|");
 }
 
 TEST(MeasureAxis, NamesTicsInOneStyle)
