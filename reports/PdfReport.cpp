@@ -23,6 +23,8 @@ namespace
 constexpr double kFigureHeight = 640;   // points
 constexpr double kHalfPageHeight = 280; // points: two and their captions fill a page
 constexpr double kHalvedAtMost = 410;   // points: higher figures would become too small
+constexpr double kHalfPage = 345;       // points, of such a figure with its caption
+constexpr double kPictureChapter = 420; // points, of a heading with the first picture
 constexpr double kLayoutHeight = 560;   // points, of a layout that has the width for itself
 constexpr double kPairWidth = 234;      // points, of each of two layouts beside each other
 constexpr double kPairHeight = 300;     // points, at most
@@ -155,7 +157,7 @@ void addFigures(PdfPages &pages, const ResultTable &results, const std::filesyst
     const auto [drawn, complaints] = campaignFigures(results);
     if (drawn.empty() && complaints.empty())
         return;
-    pages.chapter("Figures");
+    pages.chapter("Figures", kPictureChapter);
     for (const std::string &complaint : complaints)
         pages.paragraph(complaint + ".");
     const std::vector<DrawnFigure> pictures = drawFigures(drawn, figures);
@@ -163,7 +165,7 @@ void addFigures(PdfPages &pages, const ResultTable &results, const std::filesyst
     for (std::size_t i = 0; i < drawn.size(); ++i)
     {
         if (!drawn[i].subject.empty() && drawn[i].subject != subject)
-            pages.reference("table of " + drawn[i].subject, tableOf(drawn[i].subject));
+            pages.reference("table of " + drawn[i].subject, tableOf(drawn[i].subject), kHalfPage);
         subject = drawn[i].subject;
         PdfDrawing drawing{pictures[i].picture.pdf, pictures[i].missing, drawn[i].caption,
                            wants(results, "charts") ? fmt::format("{}/{}.csv", kFigures, drawn[i].name) : "",
@@ -184,7 +186,7 @@ void addLayouts(PdfPages &pages, const ResultTable &results, const std::filesyst
     const std::vector<LayoutPlan> plans = plannedLayouts(results);
     if (plans.empty())
         return;
-    pages.chapter("Instances");
+    pages.chapter("Instances", kPictureChapter);
     pages.paragraph(
         "Every problem's first instance, of a sweep the smallest and the largest point. Routes are those of "
         "the "

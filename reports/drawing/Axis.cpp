@@ -145,7 +145,12 @@ Axis measureAxis(const std::vector<double> &values, std::optional<bool> logarith
     constexpr double kRoom = 1.06;
     const double from = std::min(0.0, *least);
     const double to = *most > 0 ? *most * kRoom : 1.0;
-    return {false, from, to, evenTics(from, to)};
+    return evenAxis(from, to);
+}
+
+Axis evenAxis(double least, double most)
+{
+    return {false, least, most, evenTics(least, most)};
 }
 
 Axis sweepAxis(std::vector<double> values, std::optional<bool> wish)

@@ -29,6 +29,9 @@ struct Axis
 [[nodiscard]] Axis measureAxis(const std::vector<double> &values,
                                std::optional<bool> logarithmic = std::nullopt);
 
+/// A linear axis of just that range. \pre least < most
+[[nodiscard]] Axis evenAxis(double least, double most);
+
 /// For swept variables: from the first to the last value with a little room, a tic at each value where they
 /// lie far enough apart, logarithmic where they span more than two decades or that is asked for.
 [[nodiscard]] Axis sweepAxis(std::vector<double> values, std::optional<bool> logarithmic = std::nullopt);

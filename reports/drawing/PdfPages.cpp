@@ -135,15 +135,14 @@ void PdfPages::contents()
         });
 }
 
-void PdfPages::chapter(const std::string &text)
+void PdfPages::chapter(const std::string &text, double room)
 {
     const std::string title = oneLine(text);
     state_->add(
-        [title, anchor = state_->heading(title, "", true)](Drawing &drawing)
+        [title, room, anchor = state_->heading(title, "", true)](Drawing &drawing)
         {
-            constexpr double kWorthBeginning = 260; // points: with less room a page of its own looks better
             PdfSheet &sheet = drawing.sheet;
-            sheet.need(kWorthBeginning);
+            sheet.need(room);
             sheet.y += sheet.y > kMargin ? 22 : 0;
             drawing.anchor(anchor);
             drawing.chapterOutline = sheet.outline(CAIRO_PDF_OUTLINE_ROOT, title);
@@ -173,10 +172,10 @@ void PdfPages::paragraph(const std::string &text)
                 { drawing.sheet.text(text, {"DejaVu Sans 9"}, 8); });
 }
 
-void PdfPages::reference(const std::string &text, const std::string &anchor)
+void PdfPages::reference(const std::string &text, const std::string &anchor, double room)
 {
     state_->add(
-        [state = state_.get(), text = oneLine(text), anchor](Drawing &drawing)
+        [state = state_.get(), text = oneLine(text), anchor, room](Drawing &drawing)
         {
             if (!state->anchors.contains(anchor))
                 return;
@@ -184,7 +183,7 @@ void PdfPages::reference(const std::string &text, const std::string &anchor)
             const PdfPosition target = drawing.target(anchor);
             const TextLayout made =
                 sheet.layout(fmt::format("→ {}, page {}", text, target.page + 1), {"DejaVu Sans 8"});
-            sheet.need(heightOf(made));
+            sheet.need(heightOf(made) + room);
             sheet.setLink();
             sheet.show(made, kMargin, sheet.y);
             sheet.setBlack();

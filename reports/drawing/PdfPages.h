@@ -62,11 +62,13 @@ public:
     /// The chapters and sections that follow with their pages, each a link.
     void contents();
     /// Chapters are in the outline, sections and drawings beneath theirs.
-    void chapter(const std::string &text);
+    /// \param room points that must be left on the page for it, else it begins a new one
+    void chapter(const std::string &text, double room = 200);
     void section(const std::string &text, const std::string &anchor = {});
     void paragraph(const std::string &text);
     /// "→ text, page 7", a link; nothing where the document has no such anchor.
-    void reference(const std::string &text, const std::string &anchor);
+    /// \param room points that what follows needs on the same page
+    void reference(const std::string &text, const std::string &anchor, double room = 0);
     /// Names and values in two columns.
     void facts(const std::vector<PdfFact> &facts);
     /// Verbatim, in a font of fixed width; more than 110 characters wrap at a blank, indented.

@@ -47,7 +47,14 @@ std::string stepsScript(const Figure &figure)
             xs.push_back(static_cast<double>(series.runs));
     MeasureScale across = scaleOf(figure.variable, xs, figure.logX);
     if (figure.xFrom)
-        across.axis.least = *figure.xFrom;
+    {
+        constexpr double kLeastRange = 1.05; // where nobody is worse by more, that is to be seen
+        const double most = std::max(across.axis.most, kLeastRange * *figure.xFrom);
+        if (across.axis.logarithmic)
+            across.axis.least = *figure.xFrom;
+        else
+            across.axis = evenAxis(*figure.xFrom, most);
+    }
     MeasureScale up = scaleOf(figure.measure, ys, figure.logY);
     if (isShare(figure))
         up.axis = {false, -2, 102, {{0, "0"}, {25, "25"}, {50, "50"}, {75, "75"}, {100, "100"}}};
