@@ -1,6 +1,7 @@
 #include "reports/Aggregate.h"
 
 #include "framework/evaluation/Metrics.h"
+#include "framework/support/Profiles.h"
 
 #include <algorithm>
 #include <tuple>
@@ -51,6 +52,14 @@ std::optional<Quartiles> RunGroup::ratio(std::string_view cost, std::string_view
             values.push_back(*above / *below);
     }
     return quartiles(std::move(values));
+}
+
+double RunGroup::penalizedTime(double limit, double factor) const
+{
+    std::vector<std::optional<double>> times;
+    for (const RunRecord *run : runs)
+        times.push_back(run->solved() ? run->time : std::nullopt);
+    return penalizedAverage(times, limit, factor).value_or(0);
 }
 
 std::vector<RunGroup> groupRuns(std::span<const RunRecord> records)

@@ -38,6 +38,8 @@ struct RunGroup
     [[nodiscard]] std::optional<Quartiles> overSolved(std::string_view column) const;
     /// Of cost / bound over the solved runs that have both and whose bound is positive.
     [[nodiscard]] std::optional<Quartiles> ratio(std::string_view cost, std::string_view bound) const;
+    /// Penalized average time (PAR): every run that failed counts `factor` times the limit. Seconds.
+    [[nodiscard]] double penalizedTime(double limit, double factor) const;
 };
 
 /// Groups in the order in which their first runs stand. The records must outlive the groups.

@@ -23,7 +23,9 @@ public:
 [[nodiscard]] std::string resultsCsv(const std::vector<RunRecord> &records);
 
 /// summary.csv: how many runs were solved; for each measure its quartiles over the solved runs and, as
-/// NAME_n, of how many runs these are; and how many runs ended in each other way.
-[[nodiscard]] std::string summaryCsv(const std::vector<RunRecord> &records);
+/// NAME_n, of how many runs these are; how many runs ended in each other way; penalized average times; and as
+/// NAME_to_best the median over the solved runs of cost / least cost of any planner on the same case.
+/// \param timeLimit seconds
+[[nodiscard]] std::string summaryCsv(const std::vector<RunRecord> &records, double timeLimit);
 
 } // namespace mrpp

@@ -65,7 +65,7 @@ TEST(CsvReport, OfNothingHasHeadingsOnly)
 {
     const std::string results = resultsCsv({});
     EXPECT_EQ(results.find('\n'), results.size() - 1);
-    const std::string summary = summaryCsv({});
+    const std::string summary = summaryCsv({}, 60);
     EXPECT_EQ(summary.find('\n'), summary.size() - 1);
 }
 
@@ -76,9 +76,33 @@ TEST(CsvReport, SummaryLeavesMediansEmptyWhereNothingWasSolved)
             .planners(1)
             .problem("m", "p", treeInstance())
             .run([](RunRecord &record, std::size_t) { record.status = PlannerStatus::memory_limit; });
-    const std::string summary = summaryCsv(results.records());
+    const std::string summary = summaryCsv(results.records(), 60);
     EXPECT_NE(summary.find("m,p,,,planner_0,2,0,0,,,,0,,,,0,"), std::string::npos) << summary;
-    EXPECT_NE(summary.find(",0,2,0,0,0,0,0,0,0,0,2\n"), std::string::npos) << summary;
+    EXPECT_NE(summary.find(",0,2,0,0,0,0,0,0,0,0,2,120,600,,,\n"), std::string::npos) << summary;
+}
+
+TEST(CsvReport, SummaryComparesWithTheBestPlannerAndPenalizesFailures)
+{
+    const ResultTable results = FakeCampaign("pair", 3)
+                                    .planners(2)
+                                    .problem("m", "p", treeInstance())
+                                    .run(
+                                        [](RunRecord &record, std::size_t planner)
+                                        {
+                                            if (planner == 1 && record.repetition == 2)
+                                                return; // not solved
+                                            record.status = PlannerStatus::solved;
+                                            record.time = planner == 0 ? 4 : 1;
+                                            record.pathLength = planner == 0 ? 10 : 12 + record.repetition;
+                                            record.makespan = 0;
+                                        });
+    const std::string summary = summaryCsv(results.records(), 60);
+    // Times 4, 4, 4: four times the best on the first two cases, the best on the third.
+    EXPECT_NE(summary.find(",3,4,4,4,1,\n"), std::string::npos) << summary;
+    // Times 1, 1 and a failure; 1.2 and 1.3 times as many moves.
+    EXPECT_NE(summary.find(",3," + formatNumber(122. / 3) + "," + formatNumber(602. / 3) + ",1,1.25,\n"),
+              std::string::npos)
+        << summary;
 }
 
 TEST(CsvReport, ThrowsWhereItCannotWrite)
