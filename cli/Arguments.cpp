@@ -400,7 +400,7 @@ Arguments parseArguments(int count, const char *const *words, const Catalog &cat
   mrppsim list planners
 
 Every command takes --plugin FILE.so, several times if need be: a library with planners, problems, optimizers,
-metrics or reports of your own.
+metrics or reports of your own. A plan names its own: plugins: [libmine.so].
 
 Exit codes: 0 yes or done; 1 a truthful no; 2 wrong use or malformed input; 3 a defect of the program;
 130 interrupted.)");

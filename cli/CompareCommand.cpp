@@ -13,7 +13,7 @@ namespace mrpp
 namespace
 {
 
-ResultTable tableOf(const std::filesystem::path &folder, const Catalog &catalog)
+ResultTable tableOf(const std::filesystem::path &folder, Catalog &catalog)
 {
     return {campaignPlan(folder, catalog), ResultStore(folder, ResultStore::Access::read).records(), {}};
 }
@@ -32,7 +32,7 @@ void say(const CampaignComparison &comparison, ComparedMeasure::Verdict verdict,
 
 } // namespace
 
-ExitCode compare(const CompareArguments &arguments, const Catalog &catalog)
+ExitCode compare(const CompareArguments &arguments, Catalog &catalog)
 {
     const ResultTable first = tableOf(arguments.first, catalog);
     const ResultTable second = tableOf(arguments.second, catalog);

@@ -28,7 +28,7 @@ std::optional<std::size_t> missingRuns(const BenchmarkPlan &plan, const std::fil
     return missing;
 }
 
-void sayWhatIsMissing(const std::filesystem::path &folder, const Catalog &catalog)
+void sayWhatIsMissing(const std::filesystem::path &folder, Catalog &catalog)
 {
     try
     {
@@ -46,7 +46,7 @@ void sayWhatIsMissing(const std::filesystem::path &folder, const Catalog &catalo
 
 } // namespace
 
-ExitCode merge(const MergeArguments &arguments, const Catalog &catalog)
+ExitCode merge(const MergeArguments &arguments, Catalog &catalog)
 {
     const MergedCampaign merged = mergeCampaigns(arguments.out, arguments.folders);
     for (const std::string &note : merged.notes)

@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <iostream>
+#include <set>
 
 namespace mrpp
 {
@@ -24,20 +25,18 @@ namespace
 /// The only finished run whose key begins so.
 RunRecord findRun(const ResultStore &store, const ReplayArguments &arguments)
 {
-    std::vector<RunRecord> found;
-    for (RunRecord &record : store.records())
-        if (record.runKey.starts_with(arguments.key))
-            found.push_back(std::move(record));
+    const std::set<std::string> found = store.finishedKeys(arguments.key);
     if (found.empty())
         throw InputError({arguments.folder.string()},
                          "holds no finished run '" + arguments.key +
                              "'; the keys stand in the column run_key of results.csv");
     if (found.size() == 1)
-        return std::move(found.front());
+        return store.record(*found.begin()).value();
     constexpr std::size_t kShown = 3;
     std::string keys;
-    for (std::size_t i = 0; i < std::min(kShown, found.size()); ++i)
-        keys += (i == 0 ? "" : ", ") + found[i].runKey;
+    std::size_t shown = 0;
+    for (auto key = found.begin(); key != found.end() && shown < kShown; ++key, ++shown)
+        keys += (shown == 0 ? "" : ", ") + *key;
     throw InputError({arguments.folder.string()},
                      counted(found.size(), "run") + " begin with '" + arguments.key + "': " + keys +
                          (found.size() > kShown ? ", …" : "") + "; give more of the key");
@@ -104,7 +103,7 @@ void writeFiles(const ReplayArguments &arguments, const RunResult &result)
 
 } // namespace
 
-ExitCode replay(const ReplayArguments &arguments, const Catalog &catalog)
+ExitCode replay(const ReplayArguments &arguments, Catalog &catalog)
 {
     const ResultStore store(arguments.folder, ResultStore::Access::read);
     const RunRecord recorded = findRun(store, arguments);

@@ -4,7 +4,7 @@
 namespace mrpp
 {
 
-ExitCode report(const ReportArguments &arguments, const Catalog &catalog)
+ExitCode report(const ReportArguments &arguments, Catalog &catalog)
 {
     const BenchmarkPlan plan = campaignPlan(arguments.folder, catalog);
     const std::vector<std::string> &kinds = arguments.only.empty() ? plan.reports : arguments.only;

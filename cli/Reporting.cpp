@@ -15,7 +15,7 @@
 namespace mrpp
 {
 
-BenchmarkPlan campaignPlan(const std::filesystem::path &folder, const Catalog &catalog,
+BenchmarkPlan campaignPlan(const std::filesystem::path &folder, Catalog &catalog,
                            const std::optional<std::string> &text)
 {
     const std::filesystem::path copy = folder / "plan.yaml";

@@ -16,7 +16,7 @@ namespace mrpp
 /// The plan of the campaign in that folder, read as if it stood where it was run from: its relative paths,
 /// and the campaign's name where the file gave it, start there. \param text that of an older plan; without it
 /// the folder's own copy Throws InputError where the folder holds no campaign.
-[[nodiscard]] BenchmarkPlan campaignPlan(const std::filesystem::path &folder, const Catalog &catalog,
+[[nodiscard]] BenchmarkPlan campaignPlan(const std::filesystem::path &folder, Catalog &catalog,
                                          const std::optional<std::string> &text = std::nullopt);
 
 /// Writes the reports of these kinds in order; returns all files that they wrote. Throws InputError where the

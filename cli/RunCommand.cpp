@@ -7,6 +7,7 @@
 #include "cli/Reporting.h"
 #include "framework/Benchmark.h"
 #include "framework/campaign/ResultStore.h"
+#include "framework/campaign/Shards.h"
 #include "framework/campaign/WhyRun.h"
 #include "framework/support/Cores.h"
 #include "yaml/PlanReader.h"
@@ -59,13 +60,15 @@ ExitCode dryRun(const BenchmarkPlan &plan, const std::filesystem::path &folder)
 }
 
 /// The runs that are left, and why each is.
-ExitCode sayWhy(const BenchmarkPlan &plan, const std::filesystem::path &folder)
+ExitCode sayWhy(const BenchmarkPlan &plan, const RunArguments &arguments, const std::filesystem::path &folder)
 {
     std::error_code error;
     std::optional<ResultStore> store;
     if (std::filesystem::exists(folder / "results.sqlite", error))
         store.emplace(folder, ResultStore::Access::read);
-    const auto missing = missingRuns(plan, store ? &*store : nullptr);
+    std::vector<MissingRun> missing = missingRuns(plan, store ? &*store : nullptr);
+    std::erase_if(missing, [&](const MissingRun &run)
+                  { return shardOf(plan, run.spec, arguments.shards) != arguments.shard; });
     for (const MissingRun &run : missing)
         std::cout << oneLine(run.spec.caseId + " by " + plan.planners[run.spec.planner].name + ": " + run.why)
                   << '\n';
@@ -154,7 +157,7 @@ Benchmark::Summary runCampaign(Benchmark &benchmark, const RunArguments &argumen
 
 } // namespace
 
-ExitCode run(const RunArguments &arguments, const Catalog &catalog)
+ExitCode run(const RunArguments &arguments, Catalog &catalog)
 {
     BenchmarkPlan plan = readPlan(arguments.plan, catalog, arguments.maps);
     const std::filesystem::path folder =
@@ -162,7 +165,7 @@ ExitCode run(const RunArguments &arguments, const Catalog &catalog)
     if (arguments.dryRun)
         return dryRun(plan, folder);
     if (arguments.why)
-        return sayWhy(plan, folder);
+        return sayWhy(plan, arguments, folder);
 
     const std::string caveats = warnings(arguments.jobs.value_or(plan.execution.jobs));
     Benchmark benchmark(std::move(plan), catalog);

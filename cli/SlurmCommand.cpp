@@ -28,7 +28,7 @@ void submit(const std::filesystem::path &script)
 
 } // namespace
 
-ExitCode slurm(const SlurmArguments &arguments, const Catalog &catalog)
+ExitCode slurm(const SlurmArguments &arguments, Catalog &catalog)
 {
     const BenchmarkPlan plan = readPlan(arguments.plan, catalog, arguments.maps);
     SlurmRequest request;

@@ -7,7 +7,7 @@
 namespace mrpp
 {
 
-ExitCode worker(const Catalog &catalog)
+ExitCode worker(Catalog &catalog)
 {
     const int code = serveRuns(catalog, [&catalog](const PlanSource &source)
                                { return parsePlan(source.text, source.file, catalog, source.mapFolders); });

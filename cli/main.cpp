@@ -21,7 +21,7 @@ namespace
 /// One command with everything that it can name.
 struct Dispatch
 {
-    const Catalog &catalog;
+    Catalog &catalog;
 
     ExitCode operator()(const Answered &answered) const { return answered.code; }
     ExitCode operator()(const RunArguments &arguments) const { return run(arguments, catalog); }

@@ -1,5 +1,6 @@
 #include "yaml/PlanReader.h"
 
+#include "framework/PluginLoader.h"
 #include "framework/campaign/Configuration.h"
 #include "framework/support/File.h"
 #include "framework/support/Suggestion.h"
@@ -166,20 +167,39 @@ void readReports(const Config::Entry &entry, const Catalog &catalog, BenchmarkPl
         plan.reports.insert(plan.reports.begin(), kCharts);
 }
 
-/// A folder, or a list of them; relative ones start at the plan's.
-void readMapFolders(const Config::Entry &entry, const std::filesystem::path &start,
-                    std::vector<std::filesystem::path> &folders)
+struct PathInPlan
+{
+    std::filesystem::path path;
+    SourceLocation where;
+};
+
+/// One path, or a list of them; relative ones start at the plan's folder.
+std::vector<PathInPlan> readPaths(const Config::Entry &entry, const std::filesystem::path &start)
 {
     if (!entry.value.isList())
+        return {{start / textOf(entry), entry.value.where()}};
+    std::vector<PathInPlan> paths;
+    for (const Config &item : itemsOf(entry, "paths"))
     {
-        folders.push_back(start / textOf(entry));
-        return;
+        if (!item.isScalar())
+            throw PlanError(item.where(), "'" + entry.key + "' takes paths");
+        paths.push_back({start / item.text(), item.where()});
     }
-    for (const Config &folder : itemsOf(entry, "folders"))
+    return paths;
+}
+
+void loadPlugins(const Config::Entry &entry, const std::filesystem::path &start, Catalog &catalog)
+{
+    for (const auto &[path, where] : readPaths(entry, start))
     {
-        if (!folder.isScalar())
-            throw PlanError(folder.where(), "'maps' takes folders' paths");
-        folders.push_back(start / folder.text());
+        try
+        {
+            loadPlugin(catalog, path);
+        }
+        catch (const InputError &error)
+        {
+            throw PlanError(where, error.what());
+        }
     }
 }
 
@@ -219,7 +239,7 @@ std::string readCampaign(const Config &root, const std::filesystem::path &file)
 
 } // namespace
 
-BenchmarkPlan parsePlan(const std::string &text, const std::filesystem::path &file, const Catalog &catalog,
+BenchmarkPlan parsePlan(const std::string &text, const std::filesystem::path &file, Catalog &catalog,
                         const std::vector<std::filesystem::path> &searchPaths)
 {
     const Config root = parseYaml(text, file.string());
@@ -227,13 +247,16 @@ BenchmarkPlan parsePlan(const std::string &text, const std::filesystem::path &fi
     requireMap(root, top, "a plan is a map of keys: campaign, problems, planners, …");
     checkKeys(root, "a plan",
               {"campaign", "seed", "repetitions", "limits", "problems", "planners", "optimizers", "reports",
-               "motion", "execution", "keep", "explorer", "maps"});
+               "motion", "execution", "keep", "explorer", "maps", "plugins"});
 
     BenchmarkPlan plan;
     plan.mapFolders = searchPaths;
     for (const Config::Entry &entry : root.entries())
         if (entry.key == "maps")
-            readMapFolders(entry, file.parent_path(), plan.mapFolders);
+            for (const auto &[folder, where] : readPaths(entry, file.parent_path()))
+                plan.mapFolders.push_back(folder);
+        else if (entry.key == "plugins")
+            loadPlugins(entry, file.parent_path(), catalog);
     ProblemContext context{&catalog, {file.parent_path()}};
     context.searchPaths.insert(context.searchPaths.end(), plan.mapFolders.begin(), plan.mapFolders.end());
 
@@ -281,7 +304,7 @@ BenchmarkPlan parsePlan(const std::string &text, const std::filesystem::path &fi
     return plan;
 }
 
-BenchmarkPlan readPlan(const std::filesystem::path &file, const Catalog &catalog,
+BenchmarkPlan readPlan(const std::filesystem::path &file, Catalog &catalog,
                        const std::vector<std::filesystem::path> &searchPaths)
 {
     return parsePlan(readFile(file), file, catalog, searchPaths);

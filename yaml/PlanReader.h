@@ -12,14 +12,15 @@
 namespace mrpp
 {
 
-/// Reads the plan's file. Relative paths in it start at its own folder, then at `searchPaths` in order.
+/// Reads the plan's file. Relative paths in it start at its own folder, then at `searchPaths` in order. The
+/// plan's plugins are loaded into the catalog.
 /// Throws PlanError (grammar), ParamError, FileError.
-[[nodiscard]] BenchmarkPlan readPlan(const std::filesystem::path &file, const Catalog &catalog,
+[[nodiscard]] BenchmarkPlan readPlan(const std::filesystem::path &file, Catalog &catalog,
                                      const std::vector<std::filesystem::path> &searchPaths = {});
 
 /// The same from text. \param file for messages, and for the folder where relative paths start
 [[nodiscard]] BenchmarkPlan parsePlan(const std::string &text, const std::filesystem::path &file,
-                                      const Catalog &catalog,
+                                      Catalog &catalog,
                                       const std::vector<std::filesystem::path> &searchPaths = {});
 
 } // namespace mrpp

@@ -122,10 +122,12 @@ RunKeyMap<PlannerStatus> ResultStore::finishedRuns() const
     return runs;
 }
 
-std::set<std::string> ResultStore::finishedKeys() const
+std::set<std::string> ResultStore::finishedKeys(const std::string &beginning) const
 {
     std::set<std::string> keys;
-    sqlite::Statement query(state_->database.connection(), "SELECT run_key FROM runs");
+    sqlite::Statement query(state_->database.connection(),
+                            "SELECT run_key FROM runs WHERE run_key BETWEEN ?1 AND ?1 || '~'");
+    query.bind(1, beginning);
     while (query.step())
         keys.insert(query.text(0));
     return keys;
@@ -176,6 +178,12 @@ std::vector<RunRecord> ResultStore::records() const
     while (query.step())
         records.push_back(rows.record(query));
     return records;
+}
+
+std::optional<RunRecord> ResultStore::record(const std::string &runKey) const
+{
+    sqlite::Statement query(state_->database.connection(), "SELECT * FROM runs WHERE run_key = ?");
+    return query.bind(1, runKey).step() ? std::optional(recordOf(query)) : std::nullopt;
 }
 
 std::optional<std::string> ResultStore::planText(const std::string &runKey) const

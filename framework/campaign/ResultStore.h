@@ -59,7 +59,8 @@ public:
 
     /// Keys of the finished runs, and how each ended.
     [[nodiscard]] RunKeyMap<PlannerStatus> finishedRuns() const;
-    [[nodiscard]] std::set<std::string> finishedKeys() const;
+    /// The keys that begin so.
+    [[nodiscard]] std::set<std::string> finishedKeys(const std::string &beginning = "") const;
 
     /// Notes that a run begins; returns how often it began, this time included. Survives the death of this
     /// process, but is not forced to the disk. Several threads may call it at once, and while another adds.
@@ -75,6 +76,9 @@ public:
 
     /// All finished runs, in the order in which they were kept.
     [[nodiscard]] std::vector<RunRecord> records() const;
+
+    /// One of them; nothing where there is no such run.
+    [[nodiscard]] std::optional<RunRecord> record(const std::string &runKey) const;
 
     /// The plan that a finished run belongs to, verbatim; nothing where there is no such run.
     [[nodiscard]] std::optional<std::string> planText(const std::string &runKey) const;

@@ -92,6 +92,10 @@ TEST_F(ResultStoreTest, KeepsRunsAndSolutions)
     EXPECT_EQ(toJson(records[0], JsonColumns::all), toJson(first, JsonColumns::all));
     EXPECT_EQ(toJson(records[1], JsonColumns::all), toJson(second, JsonColumns::all));
     EXPECT_EQ(store.finishedKeys(), (std::set<std::string>{"a", "b"}));
+    EXPECT_EQ(store.finishedKeys("b"), std::set<std::string>{"b"});
+    EXPECT_TRUE(store.finishedKeys("ab").empty());
+    EXPECT_EQ(toJson(store.record("b").value(), JsonColumns::all), toJson(second, JsonColumns::all));
+    EXPECT_FALSE(store.record("").has_value());
     EXPECT_EQ(store.solution("a"), solution());
     EXPECT_EQ(store.solution("b"), std::nullopt);
     EXPECT_EQ(store.solution("c"), std::nullopt);

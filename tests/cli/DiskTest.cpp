@@ -86,6 +86,25 @@ TEST(Why, saysWhichPartOfThePlanChanged)
     EXPECT_EQ(cell("repeatable"), "yes");
 }
 
+TEST(Why, speaksOfOnePartWhereAskedTo)
+{
+    const Scratch scratch;
+    scratch.write("plan.yaml", "problems: [small_benchmark: [tree, corners, string]]\nrepetitions: 4\n"
+                               "planners: [push_and_swap]\nreports: [csv]\n");
+    const auto why = [&](const std::string &shard) {
+        return mrppsim({"run", "plan.yaml", "--why", "--shard", shard}, scratch).out;
+    };
+    const std::string first = why("1/2");
+    const std::string second = why("2/2");
+    const auto lines = [](const std::string &text) { return std::count(text.begin(), text.end(), '\n') - 1; };
+    EXPECT_EQ(lines(first) + lines(second), 12);
+    EXPECT_GT(lines(first), 0);
+    EXPECT_GT(lines(second), 0);
+    ASSERT_EQ(mrppsim({"run", "plan.yaml", "--shard", "1/2"}, scratch).code, 0);
+    EXPECT_EQ(why("1/2"), "0 runs would be made in results/plan\n");
+    EXPECT_EQ(lines(why("2/2")), lines(second));
+}
+
 } // namespace
 
 } // namespace mrpp::test

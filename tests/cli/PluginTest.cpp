@@ -42,6 +42,26 @@ TEST(Plugin, takesPartInCampaignsAndTheirWorkers)
     EXPECT_EQ(mrppsim({"report", "results/test", "--plugin", MRPP_GOOD_PLUGIN}, scratch).code, 0);
 }
 
+TEST(Plugin, mayBeNamedInThePlan)
+{
+    const Scratch scratch;
+    std::filesystem::create_directories(scratch.path() / "plans");
+    std::filesystem::copy(MRPP_GOOD_PLUGIN, scratch.path() / "plans/mine.so");
+    const std::string rest = "problems: [small_benchmark: tree]\nplanners: [stander]\nreports: [csv]\n";
+    scratch.write("plans/plan.yaml", rest + "plugins: [mine.so]\n");
+    const Outcome outcome = mrppsim({"run", "plans/plan.yaml", "-o", "out"}, scratch);
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const auto records = ResultStore(scratch.path() / "out", ResultStore::Access::read).records();
+    ASSERT_EQ(records.size(), 1U);
+    EXPECT_EQ(records[0].status, PlannerStatus::gave_up) << records[0].reason;
+    EXPECT_EQ(mrppsim({"report", "out"}, scratch).code, 0);
+    EXPECT_EQ(mrppsim({"replay", "out", records[0].runKey}, scratch).code, 0);
+
+    scratch.write("plans/plan.yaml", rest + "plugins:\n  - mine.so\n  - yours.so\n");
+    EXPECT_EQ(mrppsim({"run", "plans/plan.yaml"}, scratch).err,
+              "plans/plan.yaml:6:5: plans/yours.so: there is no such plugin\n");
+}
+
 TEST(Plugin, isKnownToEveryCommand)
 {
     const Scratch scratch;

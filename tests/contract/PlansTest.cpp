@@ -13,9 +13,9 @@ namespace mrpp
 namespace
 {
 
-const Catalog &catalog()
+Catalog &catalog()
 {
-    static const Catalog kCatalog = test::everythingRegistered();
+    static Catalog kCatalog = test::everythingRegistered();
     return kCatalog;
 }
 

@@ -15,7 +15,7 @@ using ::testing::Pair;
 
 BenchmarkPlan plan(const std::string &text)
 {
-    static const Catalog catalog = test::makeCatalog();
+    static Catalog catalog = test::makeCatalog();
     return parsePlan(text, "folder/my_plan.yaml", catalog);
 }
 
@@ -377,7 +377,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(PlanReader, aFileNameThatNamesNoCampaignMustBeReplaced)
 {
-    const Catalog catalog = test::makeCatalog();
+    Catalog catalog = test::makeCatalog();
     const std::string text = "problems: [puzzle]\nplanners: [runner]\n";
     EXPECT_THROW((void)parsePlan(text, "my plan.yaml", catalog), PlanError);
     EXPECT_EQ(parsePlan("campaign: mine\n" + text, "my plan.yaml", catalog).campaign, "mine");
@@ -385,7 +385,7 @@ TEST(PlanReader, aFileNameThatNamesNoCampaignMustBeReplaced)
 
 TEST(PlanReader, aMissingFileIsAFileError)
 {
-    const Catalog catalog = test::makeCatalog();
+    Catalog catalog = test::makeCatalog();
     EXPECT_THROW((void)readPlan("no/such/plan.yaml", catalog), FileError);
 }
 
