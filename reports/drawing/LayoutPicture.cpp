@@ -111,8 +111,9 @@ void addLegend(GraphDrawing &drawing, const Instance &instance, const Solution *
     if (solution == nullptr || solution->empty())
         return;
     drawing.explainEdge({{"color", color}}, "route, in the robot's colour");
-    drawing.explainEdge({{"color", kCrowded}, {"penwidth", fmt::format("{}", 2 * drawing.scale().route)}},
-                        fmt::format("routes of more than {} robots", kColorsAnEdge));
+    if (instance.robotCount() > kColorsAnEdge)
+        drawing.explainEdge({{"color", kCrowded}, {"penwidth", fmt::format("{}", 2 * drawing.scale().route)}},
+                            fmt::format("routes of more than {} robots", kColorsAnEdge));
 }
 
 } // namespace

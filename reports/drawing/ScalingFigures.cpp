@@ -35,7 +35,7 @@ std::string lawText(const ScalingModel &model)
                : fmt::format(" ∝ {:.4g}^n [{:.4g}, {:.4g}]", model.rate, rate.low, rate.high);
 }
 
-/// One sentence on what the fit says.
+/// One sentence on how well the fit foretells; its rate is in the legend.
 std::string verdict(const std::string &planner, const ScalingFit &fit)
 {
     if (!fit.refusal.empty())
@@ -44,11 +44,9 @@ std::string verdict(const std::string &planner, const ScalingFit &fit)
     const ScalingModel &other = best.law == ScalingLaw::power ? fit.exponential : fit.power;
     const char *name = best.law == ScalingLaw::power ? "power law" : "exponential law";
     const char *otherName = best.law == ScalingLaw::power ? "exponential" : "power law";
-    return fmt::format(
-        " {}: the {}{} foretells the {} larger sizes better (off by a factor of {:.2f}, the {} by {:.2f}); "
-        "{} of them lie within its band.",
-        planner, name, lawText(best), fit.heldOut, std::pow(10.0, best.heldOutError), otherName,
-        std::pow(10.0, other.heldOutError), best.heldOutWithin);
+    return fmt::format(" {}: the {}, off by {:.2f} (the {} by {:.2f}), {} of {} within its band.", planner,
+                       name, std::pow(10.0, best.heldOutError), otherName, std::pow(10.0, other.heldOutError),
+                       best.heldOutWithin, fit.heldOut);
 }
 
 } // namespace
@@ -135,11 +133,12 @@ std::optional<Figure> scalingFigure(const FigureList &figures, const ProblemSumm
     figure.title = fmt::format("Scaling of {}{} on {}", spaced(column),
                                size == kVertices ? "" : " with " + spaced(size), oneLine(problem.problem));
     figure.caption = fmt::format(
-        "{} on {} ({}) against the {} n, both axes logarithmic. Markers and bars: median and "
-        "quartiles of "
-        "the solved runs, hollow where not every run was solved; lines and bands: the better of a power law "
-        "and an "
-        "exponential law with its 95 % bootstrap band, fitted to the sizes left of the dashed line.{}",
+        "{} on {} ({}) against the {} n, both axes logarithmic. Markers and bars: median and quartiles of "
+        "the "
+        "solved runs, hollow where not every run was solved; lines and bands: the better of a power law and "
+        "an "
+        "exponential law with its 95 % bootstrap band, fitted to the sizes left of the dashed line. By what "
+        "factor it misses the larger sizes, typically:{}",
         measureName(column), oneLine(problem.problem), spaced(problem.model),
         size == kVertices ? "number of vertices" : spaced(size), verdicts);
     return figure;
