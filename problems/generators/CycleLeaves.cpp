@@ -55,7 +55,7 @@ std::shared_ptr<const Graph> CycleLeaves::makeGraph(Seed) const
             edges.push_back({first + static_cast<Vertex>(i), first + static_cast<Vertex>((i + 1) % size)});
         }
     }
-    const auto addPath = [&](Vertex from, const Point &to, std::size_t edgeCount)
+    const auto addPath = [&](Vertex from, Point to, std::size_t edgeCount)
     {
         const Point begin = points[from];
         Vertex last = from;
