@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 #include <numeric>
+#include <utility>
 
 namespace mrpp
 {
@@ -15,9 +16,10 @@ namespace
 
 struct Loop
 {
-    explicit Loop(const Instance &given, const TerminationCondition &ptc = {})
-        : instance(given), landmarks(*instance.graph), paths(*instance.graph, landmarks), board(instance),
-          operations(board, ptc), loop(instance, board, operations, paths, ptc, {.mostSetbacks = 100})
+    explicit Loop(const Instance &given, TerminationCondition stop = {})
+        : instance(given), ptc(std::move(stop)), landmarks(*instance.graph),
+          paths(*instance.graph, landmarks), board(instance), operations(board, ptc),
+          loop(instance, board, operations, paths, ptc, {.mostSetbacks = 100})
     {}
 
     TrailLoop<PebbleOperations>::End run()
@@ -28,6 +30,7 @@ struct Loop
     }
 
     const Instance instance;
+    TerminationCondition ptc;
     Landmarks landmarks;
     PathFinder paths;
     PebbleBoard board;
