@@ -77,6 +77,12 @@ Connection::Connection(const std::filesystem::path &file, Mode mode) : file_(fil
         sqlite3_close(handle_);
         code = open(immutableUri(file), flags | SQLITE_OPEN_URI);
     }
+    if ((code & 0xff) == SQLITE_READONLY && mode == Mode::read)
+    {
+        // Its writer was killed within a transaction, which only a connection that may write takes back.
+        sqlite3_close(handle_);
+        code = open(file.string(), SQLITE_OPEN_READWRITE);
+    }
     if (code == SQLITE_OK)
         return;
     const std::string complaint =

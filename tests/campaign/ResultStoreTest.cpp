@@ -11,6 +11,8 @@
 
 #include <csignal>
 #include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 namespace mrpp
 {
@@ -227,6 +229,31 @@ TEST_F(ResultStoreTest, CanBeClosedWhileAReportReads)
     ResultStore next(dir(), Access::write);
     next.add(record("b"), solution());
     EXPECT_EQ(reader.records().size(), 2U);
+}
+
+TEST_F(ResultStoreTest, IsReadAfterItsWriterWasKilledWithinATransaction)
+{
+    {
+        ResultStore store(dir(), Access::write);
+        store.add(record("a"), solution());
+    }
+    const pid_t writer = ::fork();
+    if (writer == 0)
+    {
+        sqlite::Connection database(file(), sqlite::Connection::Mode::write);
+        database.run("PRAGMA cache_size = 1"); // so that changes reach the file before they are committed
+        database.run("BEGIN IMMEDIATE");
+        database.run("CREATE TABLE unfinished (text)");
+        for (int i = 0; i < 1000; ++i)
+            database.run("INSERT INTO unfinished VALUES (hex(randomblob(1000)))");
+        ::kill(::getpid(), SIGKILL);
+    }
+    int status = 0;
+    ASSERT_EQ(::waitpid(writer, &status, 0), writer);
+    ASSERT_GT(std::filesystem::file_size(file().string() + "-journal"), 0U);
+    EXPECT_THAT(complaintOfOpening(Access::read), "");
+    EXPECT_EQ(ResultStore(dir(), Access::read).records().size(), 1U);
+    EXPECT_FALSE(sqlite::Connection(file(), sqlite::Connection::Mode::read).hasTable("unfinished"));
 }
 
 TEST_F(ResultStoreTest, HasTheTablesOfPlannerArena)
