@@ -19,7 +19,7 @@
 
 #include "algorithms/RestartingPlanner.h"
 #include "algorithms/mapp/Units.h"
-#include "algorithms/search/Landmarks.h"
+#include "framework/analysis/Landmarks.h"
 
 #include <atomic>
 #include <memory>

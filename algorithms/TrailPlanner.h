@@ -12,10 +12,10 @@
 #include "algorithms/pebble/Priorities.h"
 #include "algorithms/pebble/TrailLoop.h"
 #include "algorithms/pebble/Transpositions.h"
-#include "algorithms/search/Landmarks.h"
 #include "algorithms/search/PathFinder.h"
 #include "framework/analysis/Blocks.h"
 #include "framework/analysis/Components.h"
+#include "framework/analysis/Landmarks.h"
 #include "framework/analysis/Solvability.h"
 #include "framework/analysis/Subgraphs.h"
 

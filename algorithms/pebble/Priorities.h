@@ -3,7 +3,7 @@
 /// Who plans first: robots with goals far from the middle, and, where robots of different subgraphs must not
 /// lock each other in, one subgraph after another.
 
-#include "algorithms/search/Landmarks.h"
+#include "framework/analysis/Landmarks.h"
 #include "framework/analysis/Subgraphs.h"
 #include "framework/model/Instance.h"
 #include "framework/support/Random.h"

@@ -9,7 +9,7 @@
 /// cheapest; I. Pohl, "Heuristic search viewed as path finding in a graph", Artificial Intelligence 1, 1970).
 /// The weight is learnt from search to search. Graphs of up to kFewVisits vertices never see it.
 
-#include "algorithms/search/Landmarks.h"
+#include "framework/analysis/Landmarks.h"
 #include "framework/support/TerminationCondition.h"
 
 #include <algorithm>

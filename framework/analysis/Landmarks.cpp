@@ -1,4 +1,4 @@
-#include "algorithms/search/Landmarks.h"
+#include "framework/analysis/Landmarks.h"
 
 #include "framework/analysis/BreadthFirstSearch.h"
 
