@@ -38,6 +38,10 @@ public:
 
     void setup() override;
     void clear() override;
+    [[nodiscard]] bool usesChance() const override
+    {
+        return order_ == "random" || attempts_ > 1 || RestartingPlanner::usesChance();
+    }
 
 private:
     Outcome attempt(std::uint64_t number, const TerminationCondition &ptc) const override;

@@ -32,6 +32,8 @@ public:
     /// the one that brings most robots to their goals. Where time runs out, the best so far.
     PlannerStatus solve(const TerminationCondition &ptc) final;
 
+    [[nodiscard]] bool usesChance() const override { return restarts_ > 1; }
+
 protected:
     /// Attempt 0 makes the planner's own best choices, the others random ones, all derived from
     /// attemptSeed(number). Called from several threads at once, after setup().

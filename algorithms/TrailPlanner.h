@@ -33,6 +33,10 @@ class TrailPlanner : public RestartingPlanner
 public:
     void setup() override;
     void clear() override;
+    [[nodiscard]] bool usesChance() const override
+    {
+        return order_ == "random" || RestartingPlanner::usesChance();
+    }
 
 protected:
     /// Everything that does not depend on an attempt's choices; read by several threads.

@@ -58,6 +58,10 @@ public:
     Planner(const Planner &) = delete;
     Planner &operator=(const Planner &) = delete;
 
+    /// Whether chance decides its answers under the settings that it has, so that another seed teaches
+    /// something new. Not where chance is a last resort, for what fails without it.
+    [[nodiscard]] virtual bool usesChance() const { return true; }
+
     [[nodiscard]] const PlannerSpecs &specs() const { return specs_; }
     [[nodiscard]] ParameterSet &parameters() { return parameters_; }
     [[nodiscard]] const ParameterSet &parameters() const { return parameters_; }

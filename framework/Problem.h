@@ -105,6 +105,10 @@ public:
     /// Whether the graph is drawn by chance; else it is the same for every seed, and made once.
     [[nodiscard]] virtual bool drawsGraph() const { return true; }
 
+    /// Whether the robots are drawn by chance. Where neither they nor the graph are, all repetitions are
+    /// copies of one instance.
+    [[nodiscard]] virtual bool drawsInstance() const { return true; }
+
     /// True where the swept variable changes the graph (its sweep is then preferred to one over robots).
     [[nodiscard]] virtual bool variesGraph() const { return false; }
 

@@ -24,6 +24,7 @@ public:
     void check() const override;
     [[nodiscard]] std::vector<std::filesystem::path> inputFiles() const override;
     [[nodiscard]] bool drawsGraph() const override { return false; }
+    [[nodiscard]] bool drawsInstance() const override { return false; }
     [[nodiscard]] std::shared_ptr<const Graph> makeGraph(Seed seed) const override;
     [[nodiscard]] std::size_t robotCount(const Graph &graph) const override;
     [[nodiscard]] Instance makeInstance(std::shared_ptr<const Graph> graph, std::size_t robots,

@@ -31,6 +31,7 @@ public:
     void check() const override;
     [[nodiscard]] std::vector<std::filesystem::path> inputFiles() const override;
     [[nodiscard]] bool drawsGraph() const override { return false; }
+    [[nodiscard]] bool drawsInstance() const override { return scenario_.empty(); }
     [[nodiscard]] std::shared_ptr<const Graph> makeGraph(Seed seed) const override;
     /// As the plan says; a scenario without robots, free or occupancy means all of its records.
     [[nodiscard]] std::size_t robotCount(const Graph &graph) const override;

@@ -28,6 +28,7 @@ public:
     [[nodiscard]] std::string name() const override { return problem_; }
     [[nodiscard]] bool takesRobotCount() const override { return false; }
     [[nodiscard]] bool drawsGraph() const override { return false; }
+    [[nodiscard]] bool drawsInstance() const override { return false; }
     [[nodiscard]] std::shared_ptr<const Graph> makeGraph(Seed seed) const override;
     [[nodiscard]] std::size_t robotCount(const Graph &graph) const override;
     [[nodiscard]] Instance makeInstance(std::shared_ptr<const Graph> graph, std::size_t robots,

@@ -165,6 +165,7 @@ void fillIdentity(RunRecord &record, const BenchmarkPlan &plan, const RunSpec &s
     record.plannerSeed = spec.plannerSeed;
     record.planner = plan.planners[spec.planner].name;
     record.motion = toString(plan.motion);
+    record.rule = toString(plan.planners[spec.planner].motion);
 }
 
 Instance makeInstance(const Problem &problem, std::shared_ptr<const Graph> graph, Seed seed)

@@ -41,6 +41,8 @@ struct Configured
     std::vector<std::pair<std::string, std::string>> effective = {};
 
     std::shared_ptr<const OutsideCommand> command = {}; ///< of an outside planner; else null
+
+    MotionRule motion = MotionRule::pebble; ///< that a planner's solutions need, see resolve()
 };
 
 /// No parameter has such a name.

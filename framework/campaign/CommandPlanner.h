@@ -33,6 +33,8 @@ public:
     void setup() override;
     PlannerStatus solve(const TerminationCondition &ptc) override;
     void clear() override;
+    /// Whether the command is told a seed.
+    [[nodiscard]] bool usesChance() const override { return uses("seed"); }
 
 private:
     [[nodiscard]] bool uses(const std::string &place) const;

@@ -26,6 +26,7 @@ void resolve(BenchmarkPlan &plan, const Catalog &catalog)
     {
         const auto object = createPlanner(catalog, planner);
         planner.effective = effectiveSettings(object->parameters(), object->specs().version);
+        planner.motion = object->specs().motion;
     }
     for (Configured &optimizer : plan.optimizers)
     {

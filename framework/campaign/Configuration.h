@@ -21,8 +21,8 @@ template <class T>
 }
 
 /// Fills in what the program brings to each planner, optimizer and problem of the plan: the defaults of the
-/// parameters that the plan leaves alone, and versions. Throws InputError where the catalog lacks one of
-/// them.
+/// parameters that the plan leaves alone, versions, and the planners' motion rules. Throws InputError where
+/// the catalog lacks one of them.
 void resolve(BenchmarkPlan &plan, const Catalog &catalog);
 
 } // namespace mrpp

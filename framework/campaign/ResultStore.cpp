@@ -279,6 +279,25 @@ std::unordered_map<std::string, KeyParts> ResultStore::askedBefore() const
     return asked;
 }
 
+AskedParts ResultStore::askedParts() const
+{
+    sqlite::Connection &connection = state_->database.connection();
+    const auto newest = [&connection](const std::string &table, const std::string &reference)
+    {
+        std::map<std::string, KeyParts> parts;
+        if (!connection.hasColumn(table, "question"))
+            return parts;
+        std::string sql = "SELECT name, question FROM " + table;
+        sql += " JOIN (SELECT " + reference + " AS used, max(id) AS last FROM runs GROUP BY " + reference;
+        sql += ") ON used = id WHERE question IS NOT NULL ORDER BY last";
+        sqlite::Statement rows(connection, sql);
+        while (rows.step())
+            parts[rows.text(0)] = keyParts(rows.text(1));
+        return parts;
+    };
+    return {newest("experiments", "experimentid"), newest("plannerConfigs", "plannerid")};
+}
+
 std::string ResultStore::question(const std::string &caseId, const std::string &planner)
 {
     return caseId + '\n' + planner;

@@ -19,6 +19,7 @@
 #include "framework/model/Solution.h"
 
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -36,6 +37,13 @@ struct FinishedRun
     RunRecord record;
     Solution solution;
     Progress progress;
+};
+
+/// What the newest runs of each problem point and of each planner depended on.
+struct AskedParts
+{
+    std::map<std::string, KeyParts> points;   ///< by case without its repetition: experimentParts()
+    std::map<std::string, KeyParts> planners; ///< by name: plannerParts()
 };
 
 class ResultStore
@@ -94,6 +102,9 @@ public:
 
     /// What the newest run of each question() depended on: see campaignParts(), pointParts(), plannerParts().
     [[nodiscard]] std::unordered_map<std::string, KeyParts> askedBefore() const;
+
+    /// The same by problem point and by planner. Stores of older programs may know nothing of it.
+    [[nodiscard]] AskedParts askedParts() const;
 
     /// A case and a planner's name as one text.
     [[nodiscard]] static std::string question(const std::string &caseId, const std::string &planner);

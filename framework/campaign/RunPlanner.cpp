@@ -98,6 +98,7 @@ void guarded(RunRecord &record, const std::string &who, Work &&work)
 /// \param rule the planner's own
 void describeInstance(RunRecord &record, const PreparedInstance &prepared, MotionRule rule)
 {
+    record.rule = toString(rule);
     const Solvability &answer = prepared.solvability(rule);
     record.solvable = answer.solvable ? "yes" : "no";
     record.unsolvableReason = answer.reason;

@@ -149,6 +149,7 @@ std::vector<RunColumn> makeColumns()
         column("load", &R::load, campaign),
         column("cores", &R::cores, campaign),
         column("limit_means", &R::limitMeans, campaign),
+        column("rule", &R::rule, solve),
     };
 }
 

@@ -38,7 +38,8 @@ struct RunRecord
     Seed plannerSeed = 0;
     std::int64_t attempt = 1; ///< how often this run was begun, this time included
     std::string planner;      ///< the name in the plan, else the planner's own
-    std::string motion;       ///< the campaign's motion rule
+    std::string motion;       ///< the campaign's motion rule: the widest that planners may use
+    std::string rule;         ///< the motion rule that the planner's solutions need
 
     // The instance.
     std::optional<std::int64_t> vertices;

@@ -63,7 +63,8 @@ TEST(RunRecord, HasTheColumnsOfTheResultsFileInTheirOrder)
                                                "repeatable",
                                                "load",
                                                "cores",
-                                               "limit_means"};
+                                               "limit_means",
+                                               "rule"};
     std::vector<std::string> names;
     for (const RunColumn &column : runColumns())
         names.emplace_back(column.name);
@@ -155,7 +156,8 @@ TEST(RunRecordJson, HasTheColumnsOfSolve)
   "path_length_lower_bound": null,
   "makespan_lower_bound": null,
   "solvable": "",
-  "unsolvable_reason": ""
+  "unsolvable_reason": "",
+  "rule": ""
 }
 )");
 }
