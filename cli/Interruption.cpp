@@ -17,13 +17,17 @@ sigset_t interruptions()
     ::sigemptyset(&signals);
     ::sigaddset(&signals, SIGINT);
     ::sigaddset(&signals, SIGTERM);
+    struct sigaction hangUp = {};
+    if (::sigaction(SIGHUP, nullptr, &hangUp) == 0 && hangUp.sa_handler != SIG_IGN)
+        ::sigaddset(&signals, SIGHUP);
     return signals;
 }
 } // namespace
 
 Interruption::Interruption()
 {
-    const sigset_t signals = interruptions();
+    sigset_t signals = interruptions();
+    ::sigaddset(&signals, SIGCONT);
     ::pthread_sigmask(SIG_BLOCK, &signals, nullptr);
     listener_ = std::jthread(
         [this](const std::stop_token &end)

@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// Ctrl-C and SIGTERM as a stop token: the first asks for a clean end, the second ends the process.
+/// Ctrl-C, SIGTERM and SIGHUP (the terminal is gone) as a stop token: the first asks for a clean end, the second
+/// ends the process.
 
 #include <stop_token>
 #include <thread>
@@ -8,8 +9,9 @@
 namespace mrpp
 {
 
-/// While it lives, SIGINT and SIGTERM of this process go to a thread of its own. Make it before any other
-/// thread, so that all inherit its mask.
+/// While it lives, these signals of this process go to a thread of its own. Make it before any other thread, so
+/// that all inherit its mask, in which SIGCONT is blocked, too (see PauseWatch). What `nohup` ignores stays
+/// ignored.
 class Interruption
 {
 public:

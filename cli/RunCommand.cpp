@@ -2,6 +2,7 @@
 #include "cli/Counted.h"
 #include "cli/Interruption.h"
 #include "cli/KeptFiles.h"
+#include "cli/MissingPrograms.h"
 #include "cli/OneLine.h"
 #include "cli/ProgressLine.h"
 #include "cli/Reporting.h"
@@ -35,6 +36,7 @@ ExitCode dryRun(const BenchmarkPlan &plan, const std::filesystem::path &folder)
                 missing.insert(file);
     for (const std::filesystem::path &file : missing)
         std::cerr << "note: " << file.string() << " is not there yet; --maps says where to look for it\n";
+    noteMissingPrograms(plan);
     std::set<std::string> cases;
     for (const RunSpec &spec : specs)
         cases.insert(spec.caseId);
@@ -135,6 +137,23 @@ void sayResult(const Benchmark::Summary &summary)
     std::cout << '\n';
 }
 
+/// Planners that do what none may do: those are defects.
+ExitCode sayDefects(const Benchmark::Summary &summary)
+{
+    const auto count = [&summary](PlannerStatus status)
+    {
+        const auto found = summary.statuses.find(status);
+        return found == summary.statuses.end() ? std::size_t{0} : found->second;
+    };
+    const std::size_t crashed = count(PlannerStatus::crash);
+    const std::size_t wrong = count(PlannerStatus::invalid);
+    if (crashed > 0)
+        std::cerr << counted(crashed, "run") << " crashed: see the column reason of the runs with status crash\n";
+    if (wrong > 0)
+        std::cerr << "a planner claimed solutions that are wrong: see the runs with status invalid\n";
+    return crashed + wrong > 0 ? ExitCode::defect : ExitCode::done;
+}
+
 /// Runs what is left, until it is done or the user interrupts.
 Benchmark::Summary runCampaign(Benchmark &benchmark, const RunArguments &arguments,
                                const std::filesystem::path &folder, const Catalog &catalog)
@@ -170,6 +189,8 @@ ExitCode run(const RunArguments &arguments, Catalog &catalog)
     const std::string caveats = warnings(arguments.jobs.value_or(plan.execution.jobs));
     Benchmark benchmark(std::move(plan), catalog);
     const Benchmark::Summary summary = runCampaign(benchmark, arguments, folder, catalog);
+    for (const std::string &note : summary.notes)
+        std::cerr << "note: " << note << '\n';
     if (summary.finished > 0)
         std::cerr << caveats << warnings(summary);
     if (summary.interrupted)
@@ -180,12 +201,7 @@ ExitCode run(const RunArguments &arguments, Catalog &catalog)
     sayResult(summary);
     if (!arguments.noReport)
         sayWhere(writeReports(benchmark.plan(), benchmark.plan().reports, folder, catalog), folder);
-    if (summary.statuses.contains(PlannerStatus::invalid))
-    {
-        std::cerr << "a planner claimed solutions that are wrong: see the runs with status invalid\n";
-        return ExitCode::defect;
-    }
-    return ExitCode::done;
+    return sayDefects(summary);
 }
 
 } // namespace mrpp

@@ -1,5 +1,6 @@
 #include "cli/Commands.h"
 #include "cli/Counted.h"
+#include "cli/MissingPrograms.h"
 #include "cli/SlurmScripts.h"
 #include "framework/support/Error.h"
 #include "framework/support/File.h"
@@ -31,6 +32,7 @@ void submit(const std::filesystem::path &script)
 ExitCode slurm(const SlurmArguments &arguments, Catalog &catalog)
 {
     const BenchmarkPlan plan = readPlan(arguments.plan, catalog, arguments.maps);
+    noteMissingPrograms(plan);
     SlurmRequest request;
     request.folder = std::filesystem::absolute(arguments.folder).lexically_normal();
     request.plan = std::filesystem::absolute(arguments.plan).lexically_normal();

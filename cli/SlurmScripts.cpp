@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 namespace mrpp
@@ -30,6 +31,31 @@ std::string quoted(const std::vector<std::string> &words)
     return text;
 }
 
+/// One value in a line of options, where a backslash takes the meaning of what follows.
+std::string forSlurm(const std::string &value)
+{
+    std::string text;
+    for (const char c : value)
+        text += c == '"' || c == '\\' ? std::string("\\") + c : std::string(1, c == '\n' ? ' ' : c);
+    return "\"" + text + "\"";
+}
+
+/// In names of files % begins a pattern.
+std::string withoutPatterns(const std::string &name)
+{
+    std::string text;
+    for (const char c : name)
+        text += c == '%' ? std::string("%%") : std::string(1, c);
+    return text;
+}
+
+std::string jobName(const std::string &campaign)
+{
+    const bool isPlain = std::all_of(campaign.begin(), campaign.end(), [](unsigned char c)
+                                     { return std::isalnum(c) != 0 || c == '-' || c == '_' || c == '.'; });
+    return isPlain ? campaign : forSlurm(campaign);
+}
+
 /// What both jobs ask of Slurm.
 std::string commonLines(const SlurmRequest &request, const std::string &log)
 {
@@ -39,7 +65,7 @@ std::string commonLines(const SlurmRequest &request, const std::string &log)
     add("--ntasks=1");
     add("--requeue");
     add("--open-mode=append");
-    add("--output=\"" + (request.folder / "log" / log).string() + "\"");
+    add("--output=" + forSlurm(withoutPatterns((request.folder / "log").string()) + "/" + log));
     if (request.partition)
         add("--partition=" + *request.partition);
     if (request.account)
@@ -109,7 +135,7 @@ done
 [ "$code" -ne "$interrupted" ] || scontrol requeue "${{SLURM_ARRAY_JOB_ID}}_$part"
 exit "$code"
 )",
-        fmt::arg("campaign", plan.campaign), fmt::arg("shards", request.shards),
+        fmt::arg("campaign", jobName(plan.campaign)), fmt::arg("shards", request.shards),
         fmt::arg("atOnce", request.atOnce ? "%" + std::to_string(*request.atOnce) : ""),
         fmt::arg("jobs", request.jobs),
         fmt::arg("time", request.time.value_or(std::to_string(needs.minutes))),
@@ -118,7 +144,7 @@ exit "$code"
         fmt::arg("plan", quoted(request.plan.string())),
         fmt::arg("options", request.options.empty() ? "" : " " + quoted(request.options)));
     scripts.merge = fmt::format(R"(#!/bin/bash
-#SBATCH --job-name={campaign}-merge
+#SBATCH --job-name={campaign}
 #SBATCH --cpus-per-task=1
 #SBATCH --time=60
 #SBATCH --mem=2048M
@@ -126,7 +152,7 @@ exit "$code"
 cd {folder} || exit 1
 {program} merge results parts/* && {program} report results
 )",
-                                fmt::arg("campaign", plan.campaign),
+                                fmt::arg("campaign", jobName(plan.campaign + "-merge")),
                                 fmt::arg("common", commonLines(request, "merge.txt")),
                                 fmt::arg("folder", folder), fmt::arg("program", program));
     scripts.submit = fmt::format(R"(#!/bin/sh

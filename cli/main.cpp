@@ -3,6 +3,7 @@
 #include "cli/Commands.h"
 #include "cli/OneLine.h"
 #include "cli/Plugins.h"
+#include "cli/SearchPaths.h"
 #include "framework/Catalog.h"
 #include "framework/support/Error.h"
 #include "problems/Problems.h"
@@ -10,6 +11,8 @@
 
 #include <csignal>
 #include <iostream>
+#include <new>
+#include <system_error>
 #include <variant>
 
 namespace mrpp
@@ -57,6 +60,16 @@ ExitCode dispatch(int count, const char *const *words)
         std::cerr << (error.where().file.empty() ? "mrppsim: " : "") << oneLine(error.what()) << '\n';
         return ExitCode::wrongUse;
     }
+    catch (const std::bad_alloc &)
+    {
+        std::cerr << "mrppsim: there is not enough memory\n";
+        return ExitCode::wrongUse;
+    }
+    catch (const std::system_error &error) // a name too long, no descriptor or thread left: the system's word
+    {
+        std::cerr << "mrppsim: " << oneLine(error.what()) << '\n';
+        return ExitCode::wrongUse;
+    }
     catch (const std::exception &error)
     {
         std::cerr << "mrppsim: a defect of the program: " << oneLine(error.what()) << '\n';
@@ -71,5 +84,7 @@ ExitCode dispatch(int count, const char *const *words)
 int main(int count, char **words)
 {
     std::signal(SIGPIPE, SIG_IGN); // gnuplot and pagers may go away; writes then fail and say so
+    std::signal(SIGXFSZ, SIG_IGN); // so do those beyond the limit of a file's size
+    mrpp::makeSearchPathsAbsolute();
     return static_cast<int>(mrpp::dispatch(count, words));
 }

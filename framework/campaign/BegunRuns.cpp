@@ -18,10 +18,10 @@ std::vector<std::string> BegunRuns::read() const
 
 void BegunRuns::note(const std::string &runKey)
 {
-    constexpr mode_t kReadableByAll = 0644;
+    constexpr mode_t kAsTheUmaskSays = 0666;
     if (descriptor_.number() < 0)
         descriptor_ =
-            Descriptor(::open(file_.c_str(), O_WRONLY | O_APPEND | O_CREAT | O_CLOEXEC, kReadableByAll));
+            Descriptor(::open(file_.c_str(), O_WRONLY | O_APPEND | O_CREAT | O_CLOEXEC, kAsTheUmaskSays));
     const std::string line = runKey + "\n";
     [[maybe_unused]] const ssize_t written = ::write(descriptor_.number(), line.data(), line.size());
 }

@@ -4,6 +4,7 @@
 /// others.
 
 #include "framework/FileExchange.h"
+#include "framework/LateAnswer.h"
 #include "framework/Planner.h"
 #include "framework/campaign/OutsideCommand.h"
 #include "framework/support/TemporaryFolder.h"
@@ -18,20 +19,23 @@ namespace mrpp
 /// Every place of the command that the program does not fill itself is a parameter (text). So is what else
 /// the plan says of the command (commandProperties()), for the records: setting it changes nothing.
 ///
-/// setup() writes the files that the command names; solve() runs it and reads its answer:
+/// setup() writes the files that the command names; solve() runs it, and collect() reads its answer:
 ///  * exit code 0 and an answer: `solved`, until the validator says otherwise;
 ///  * 0 and no answer, or one that says that there is none: `gave_up`;
 ///  * 0 and an answer that cannot be read, or has impossible moves: `invalid`;
 ///  * another exit code: what the command says that it means, else `crash`, as for a signal;
 ///  * out of time: it may go on for half a second, then its process group is killed.
-/// An instance that the wanted format cannot hold is `unsupported`.
-class CommandPlanner final : public Planner
+/// An instance that the wanted format cannot hold is `unsupported`. Where files cannot be written, or the program
+/// cannot be started, that is a HarnessError: the program did nothing wrong. So it is where the program failed
+/// and the temporary folder has no room left, unless the program filled it.
+class CommandPlanner final : public Planner, public LateAnswer
 {
 public:
     CommandPlanner(OutsideCommand command, std::shared_ptr<const FileExchange> files);
 
     void setup() override;
     PlannerStatus solve(const TerminationCondition &ptc) override;
+    PlannerStatus collect() override;
     void clear() override;
     /// Whether the command is told a seed.
     [[nodiscard]] bool usesChance() const override { return uses("seed"); }
@@ -40,7 +44,11 @@ private:
     [[nodiscard]] bool uses(const std::string &place) const;
     [[nodiscard]] std::string valueOf(const std::string &place, const TerminationCondition &ptc) const;
     [[nodiscard]] std::filesystem::path fileOf(const std::string &place) const;
+    void writeInput() const;
+    PlannerStatus run(const TerminationCondition &ptc);
     PlannerStatus readAnswer();
+    [[nodiscard]] std::string missingAnswer() const;
+    PlannerStatus unlessFull(PlannerStatus status);
 
     OutsideCommand command_;
     std::shared_ptr<const FileExchange> files_;

@@ -24,6 +24,8 @@ struct RunResult
     std::shared_ptr<const Instance> instance; ///< what the planner was asked; null where there is none
     Progress progress;                        ///< of solve(); empty for planners without such properties
     bool startedProcesses = false;            ///< the planner did
+    bool paused = false;      ///< who measured it stood still for a while: it has to be measured again
+    bool lastOfWorker = false; ///< its process is spoiled for other runs, and ends
 };
 
 class Executor
@@ -37,7 +39,8 @@ public:
     /// Carries one run out. Whatever the planner does, a record comes back: a planner's exception is a
     /// `crash`, a wrong solution `invalid`. May be called from several threads at once. Robots
     /// that do not fit a graph drawn by chance make an `unsupported` run. Throws InputError where the
-    /// instance cannot be made for another reason.
+    /// instance cannot be made for another reason, and HarnessError where something else than the planner
+    /// failed.
     [[nodiscard]] virtual RunResult execute(const RunSpec &spec, const std::stop_token &stop) = 0;
 };
 

@@ -1,10 +1,13 @@
 #include "framework/campaign/Guardian.h"
 
+#include "framework/support/HarnessError.h"
 #include "framework/support/ProcessTree.h"
+#include "framework/support/TemporaryFolder.h"
 
 #include <array>
 #include <cerrno>
 #include <csignal>
+#include <cstring>
 #include <poll.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
@@ -67,11 +70,8 @@ void becomeGuarded(int socket)
     const int signals = ::signalfd(-1, &awaited, SFD_CLOEXEC);
     const pid_t guardian = ::getpid();
     const pid_t worker = ::fork();
-    if (worker < 0) // it goes on without a guardian
-    {
-        ::sigprocmask(SIG_SETMASK, &before, nullptr);
-        return;
-    }
+    if (worker < 0)
+        throw HarnessError(std::string("no process can be started for a worker: ") + std::strerror(errno));
     if (worker == 0)
     {
         ::prctl(PR_SET_PDEATHSIG, SIGKILL);
@@ -85,6 +85,7 @@ void becomeGuarded(int socket)
     int status = 0;
     const bool ended = waitForEnd(worker, socket, signals, status);
     endChildren();
+    removeStaleTemporaryFolders(); // of the worker, which could not do it
     if (!ended)
         endBy(SIGKILL);
     if (WIFSIGNALED(status))

@@ -1,6 +1,7 @@
 #include "framework/campaign/InProcessExecutor.h"
 
 #include "framework/campaign/PlannerFactory.h"
+#include "framework/campaign/RunNotes.h"
 #include "framework/support/Error.h"
 
 namespace mrpp
@@ -30,6 +31,28 @@ InProcessExecutor::InProcessExecutor(const BenchmarkPlan &plan, const Catalog &c
 {}
 
 RunResult InProcessExecutor::execute(const RunSpec &spec, const std::stop_token &stop)
+{
+    const std::uint64_t pauses = pauses_.count();
+    checkCommand(spec);
+    RunResult result = executeOnce(spec, stop);
+    checkCommand(spec);
+    result.paused = pauses_.count() != pauses;
+    return result;
+}
+
+void InProcessExecutor::checkCommand(const RunSpec &spec) const
+{
+    if (const auto &command = plan_.planners[spec.planner].command; command && inputs_)
+        inputs_->check(filesOf(*command));
+}
+
+void InProcessExecutor::checkInputs(const Problem &problem) const
+{
+    if (inputs_)
+        inputs_->check(problem.inputFiles());
+}
+
+RunResult InProcessExecutor::executeOnce(const RunSpec &spec, const std::stop_token &stop)
 {
     std::shared_ptr<const PreparedInstance> prepared;
     try
@@ -70,24 +93,55 @@ RunResult InProcessExecutor::execute(const RunSpec &spec, const std::stop_token 
     fillIdentity(result.record, plan_, spec);
     result.record.limitMeans =
         settings.ownProcess ? "time asked, cpu asked, memory afterwards" : "time asked";
-    if (!result.record.solutionFingerprint.empty())
-        for (const AddedMetric &metric : catalog_.metrics)
+    if (!result.record.solutionFingerprint.empty() && addsMetrics_)
+        addMetrics(result);
+    return result;
+}
+
+void InProcessExecutor::addMetrics(RunResult &result) const
+{
+    if (onPhase_ && !catalog_.metrics.empty())
+        onPhase_(RunPhase::measure, result.record);
+    for (const AddedMetric &metric : catalog_.metrics)
+    {
+        const std::string who = "metric '" + metric.name + "'";
+        try
+        {
             if (const auto value = metric.measure(*result.instance, result.solution))
                 result.record.extra[metric.name] = *value;
-    return result;
+        }
+        catch (const std::exception &error)
+        {
+            addNote(result.record, who + " threw: " + error.what());
+        }
+        catch (...)
+        {
+            addNote(result.record, who + " threw something that is no std::exception");
+        }
+    }
 }
 
 std::shared_ptr<const Graph> InProcessExecutor::graph(const RunSpec &spec)
 {
     const Problem &problem = *plan_.points[spec.point].problem;
-    return graphs_.get(graphKey(plan_, spec), [&] { return problem.makeGraph(spec.graphSeed); });
+    const auto make = [&]
+    {
+        checkInputs(problem);
+        auto made = problem.makeGraph(spec.graphSeed);
+        checkInputs(problem);
+        return made;
+    };
+    return graphs_.get(graphKey(plan_, spec), make);
 }
 
 std::shared_ptr<const PreparedInstance> InProcessExecutor::instance(const RunSpec &spec)
 {
     const auto make = [&]
     {
-        auto made = mrpp::makeInstance(*plan_.points[spec.point].problem, graph(spec), spec.instanceSeed);
+        const Problem &problem = *plan_.points[spec.point].problem;
+        checkInputs(problem);
+        auto made = mrpp::makeInstance(problem, graph(spec), spec.instanceSeed);
+        checkInputs(problem);
         return std::make_shared<const PreparedInstance>(
             prepare(std::make_shared<const Instance>(std::move(made))));
     };

@@ -7,8 +7,10 @@
 #include "framework/campaign/BenchmarkPlan.h"
 #include "framework/campaign/Configuration.h"
 #include "framework/campaign/Executor.h"
+#include "framework/campaign/InputWatch.h"
 #include "framework/campaign/RecentCache.h"
 #include "framework/campaign/RunPlanner.h"
+#include "framework/support/PauseWatch.h"
 
 #include <functional>
 #include <memory>
@@ -33,16 +35,30 @@ public:
         onPhase_ = std::move(event);
     }
 
+    /// Whether the runs to come are measured by what plugins added (Catalog::metrics).
+    void setAddsMetrics(bool adds) { addsMetrics_ = adds; }
+
+    /// What the input files have to hold whenever they are read; without it nothing is checked.
+    void setInputs(std::shared_ptr<InputWatch> inputs) { inputs_ = std::move(inputs); }
+
+    /// Throws HarnessError also where an input file has changed.
     [[nodiscard]] RunResult execute(const RunSpec &spec, const std::stop_token &stop) override;
 
     /// The instance of the run's case. Throws InputError (DoesNotFit) where there is none.
     [[nodiscard]] std::shared_ptr<const PreparedInstance> instance(const RunSpec &spec);
 
 private:
+    [[nodiscard]] RunResult executeOnce(const RunSpec &spec, const std::stop_token &stop);
+    void checkCommand(const RunSpec &spec) const;
+    void checkInputs(const Problem &problem) const;
+    void addMetrics(RunResult &result) const;
     [[nodiscard]] std::shared_ptr<const Graph> graph(const RunSpec &spec);
 
     const BenchmarkPlan &plan_;
     const Catalog &catalog_;
+    std::shared_ptr<InputWatch> inputs_; ///< or null
+    PauseWatch pauses_;
+    bool addsMetrics_ = true;
     std::int64_t jobs_;
     PreRunEvent preRun_;
     std::function<void(RunPhase, const RunRecord &)> onPhase_;

@@ -133,7 +133,7 @@ void takeKeptFiles(const fs::path &from, const fs::path &to)
 MergedCampaign mergeInto(const fs::path &out, const std::vector<Campaign> &campaigns)
 {
     const FolderLock lock(out);
-    sqlite::Connection store(out / kStore, sqlite::Connection::Mode::write);
+    sqlite::Connection store(out / kStore, sqlite::Connection::Mode::write, abilitiesOf(out));
     openResultSchema(store, out / kStore, true);
     MergedCampaign merged;
     merged.notes = notesOn(campaigns);

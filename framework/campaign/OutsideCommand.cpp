@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <fstream>
 #include <unistd.h>
 #include <utility>
 
@@ -82,6 +83,33 @@ bool isInPath(const std::string &program)
         folders.remove_prefix(std::min(end + 1, folders.size()));
     }
     return false;
+}
+
+/// What is wrong with the first line of an executable file; empty where nothing is.
+std::string whyNotStarted(const std::filesystem::path &file)
+{
+    constexpr std::size_t kLine = 256; // as much as the system reads of it
+    std::string begin(kLine, '\0');
+    std::ifstream stream(file, std::ios::binary);
+    stream.read(begin.data(), static_cast<std::streamsize>(begin.size()));
+    begin.resize(static_cast<std::size_t>(stream.gcount()));
+    const bool isText = begin.find('\0') == std::string::npos && !begin.starts_with("\x7f" "ELF");
+    if (!stream.eof() && stream.fail())
+        return {};
+    if (!begin.starts_with("#!"))
+        return isText ? "it has no first line '#!…' that says what runs it; add one, or write what runs it ('sh " +
+                            file.filename().string() + "')"
+                      : "";
+    const std::string line = begin.substr(0, begin.find('\n'));
+    if (line.ends_with('\r'))
+        return "its first line ends as in Windows files (CR LF); convert it, as with: sed -i 's/\\r$//' " +
+               file.filename().string();
+    const std::size_t start = std::min(line.find_first_not_of(" \t", 2), line.size());
+    const std::string interpreter = line.substr(start, line.find_first_of(" \t", start) - start);
+    std::error_code error;
+    return std::filesystem::exists(interpreter, error) ? ""
+                                                       : "its first line names '" + interpreter +
+                                                             "', which is not there";
 }
 
 } // namespace
@@ -171,7 +199,13 @@ void checkExecutable(const OutsideCommand &command)
     const bool isPath = program.find('/') != std::string::npos;
     const std::filesystem::path file = command.folder / program;
     std::error_code error;
-    if (isPath ? isExecutable(file) : isInPath(program))
+    if (isPath && isExecutable(file))
+    {
+        if (const std::string why = whyNotStarted(file); !why.empty())
+            throw PlanError(command.where, "'" + program + "' cannot be started: " + why);
+        return;
+    }
+    if (!isPath && isInPath(program))
         return;
     throw PlanError(command.where,
                     !isPath ? "there is no program '" + program +

@@ -1,7 +1,10 @@
 #include "framework/campaign/ProgressSampler.h"
 
+#include "framework/support/HarnessError.h"
+
 #include <condition_variable>
 #include <mutex>
+#include <system_error>
 
 namespace mrpp
 {
@@ -13,15 +16,23 @@ ProgressSampler::ProgressSampler(const Planner &planner)
         progress_.names.push_back(name);
     if (progress_.names.empty())
         return;
-    thread_ = std::jthread(
-        [this](const std::stop_token &stop)
-        {
-            std::mutex mutex;
-            std::condition_variable_any wake;
-            std::unique_lock lock(mutex);
-            while (!wake.wait_for(lock, stop, kInterval, [&stop] { return stop.stop_requested(); }))
-                sample();
-        });
+    try
+    {
+        thread_ = std::jthread([this](const std::stop_token &stop) { sampleUntil(stop); });
+    }
+    catch (const std::system_error &error)
+    {
+        throw HarnessError(std::string("no thread can be started to follow a planner: ") + error.what());
+    }
+}
+
+void ProgressSampler::sampleUntil(const std::stop_token &stop)
+{
+    std::mutex mutex;
+    std::condition_variable_any wake;
+    std::unique_lock lock(mutex);
+    while (!wake.wait_for(lock, stop, kInterval, [&stop] { return stop.stop_requested(); }))
+        sample();
 }
 
 Progress ProgressSampler::finish()

@@ -30,7 +30,8 @@ class ProgressSampler
 public:
     static constexpr std::chrono::milliseconds kInterval{50};
 
-    /// Begins to sample; without properties there is no thread. The planner must outlive the sampler.
+    /// Begins to sample; without properties there is no thread. The planner must outlive the sampler. Throws
+    /// HarnessError where no thread can be had.
     explicit ProgressSampler(const Planner &planner);
 
     /// Ends and gives the samples, one of now included. Call once.
@@ -38,6 +39,7 @@ public:
 
 private:
     void sample();
+    void sampleUntil(const std::stop_token &stop);
 
     const Planner &planner_;
     std::chrono::steady_clock::time_point start_;

@@ -46,14 +46,15 @@ std::string settingsText(const Configured &planner)
 
 } // namespace
 
-ResultDatabase::ResultDatabase(const std::filesystem::path &file, bool mayWrite)
+ResultDatabase::ResultDatabase(const std::filesystem::path &file, bool mayWrite,
+                               const FileSystemAbilities &abilities)
     : file_(file),
-      connection_(file, mayWrite ? sqlite::Connection::Mode::write : sqlite::Connection::Mode::read)
+      connection_(file, mayWrite ? sqlite::Connection::Mode::write : sqlite::Connection::Mode::read, abilities)
 {
     openResultSchema(connection_, file, mayWrite);
     if (mayWrite)
     {
-        connection_.run("PRAGMA journal_mode = WAL");
+        connection_.beginLog();
         connection_.run("PRAGMA foreign_keys = ON");
         connection_.run("PRAGMA synchronous = FULL"); // what is committed is on the disk
     }

@@ -19,7 +19,7 @@ class ResultDatabase
 {
 public:
     /// Opens the file; with `mayWrite` makes what is missing of it. Throws FileError.
-    ResultDatabase(const std::filesystem::path &file, bool mayWrite);
+    ResultDatabase(const std::filesystem::path &file, bool mayWrite, const FileSystemAbilities &abilities);
 
     [[nodiscard]] sqlite::Connection &connection() { return connection_; }
     [[nodiscard]] const std::filesystem::path &file() const { return file_; }

@@ -6,9 +6,12 @@
 #include "framework/campaign/ResultSchema.h"
 #include "framework/campaign/SolutionCodec.h"
 #include "framework/support/Error.h"
+#include "framework/support/FileSystem.h"
 
 #include <cmath>
 #include <mutex>
+#include <sys/stat.h>
+#include <utility>
 
 namespace mrpp
 {
@@ -20,7 +23,7 @@ std::filesystem::path madeFolder(const std::filesystem::path &folder)
 {
     std::error_code error;
     std::filesystem::create_directories(folder, error);
-    if (!std::filesystem::is_directory(folder))
+    if (std::error_code ignored; !std::filesystem::is_directory(folder, ignored))
         throw FileError({folder.string()},
                         "cannot be made: " + (error ? error.message() : std::string("it is a file")));
     return folder;
@@ -32,6 +35,14 @@ std::filesystem::path existing(const std::filesystem::path &folder)
     if (!std::filesystem::exists(folder / "results.sqlite", error))
         throw FileError({folder.string()}, "holds no campaign (there is no results.sqlite)");
     return folder;
+}
+
+/// Device and number of a file; zeros where there is none.
+std::pair<dev_t, ino_t> identityOf(const std::filesystem::path &file)
+{
+    struct stat status = {};
+    return ::stat(file.c_str(), &status) == 0 ? std::pair(status.st_dev, status.st_ino)
+                                              : std::pair(dev_t{0}, ino_t{0});
 }
 
 std::size_t countRuns(sqlite::Connection &connection)
@@ -46,9 +57,11 @@ struct ResultStore::State
 {
     State(const std::filesystem::path &folder, Access access)
         : lock(access == Access::write ? std::make_unique<FolderLock>(madeFolder(folder)) : nullptr),
+          abilities(access == Access::write ? abilitiesOf(folder)
+                                            : FileSystemAbilities{.locks = hasLocks(folder / ".lock")}),
           database((access == Access::read ? existing(folder) : folder) / "results.sqlite",
-                   access == Access::write),
-          begun(folder)
+                   access == Access::write, abilities),
+          begun(folder), identity(identityOf(database.file()))
     {
         if (access == Access::write)
             takeOverBegun();
@@ -93,9 +106,20 @@ struct ResultStore::State
             attempts.emplace(query.text(0), query.integer(1));
     }
 
+    /// What is written into a file that is gone from its folder would be lost.
+    void expectFolder() const
+    {
+        if (identityOf(database.file()) != identity)
+            throw FileError({database.file().parent_path().string()},
+                            "the folder was removed or replaced while the campaign ran; what had been written to "
+                            "it is gone with it");
+    }
+
     std::unique_ptr<FolderLock> lock; // outlives the database
+    FileSystemAbilities abilities;
     ResultDatabase database;
     BegunRuns begun;
+    std::pair<dev_t, ino_t> identity; // of the database's file
     std::mutex beginning;                                   // guards what follows and `begun`
     std::unordered_map<std::string, std::int64_t> attempts; // of unfinished runs
 };
@@ -105,6 +129,19 @@ ResultStore::ResultStore(const std::filesystem::path &folder, Access access)
 {}
 
 ResultStore::~ResultStore() = default;
+
+std::vector<std::string> ResultStore::notes() const
+{
+    std::vector<std::string> notes;
+    const std::string folder = state_->database.file().parent_path().string();
+    if (!state_->abilities.locks)
+        notes.push_back(folder + ": this file system has no locks: run one campaign in it at a time, and make "
+                                 "reports when it is over");
+    else if (!state_->abilities.sharedMemory)
+        notes.push_back(folder + ": this file system has no shared memory: results are kept with a rollback "
+                                 "journal, which is slower, and reports wait for the campaign while it writes");
+    return notes;
+}
 
 void ResultStore::describe(const BenchmarkPlan &plan, const Provenance &provenance)
 {
@@ -149,6 +186,7 @@ void ResultStore::add(const RunRecord &record, const Solution &solution, const P
 void ResultStore::add(std::span<const FinishedRun> runs)
 {
     ResultDatabase &database = state_->database;
+    state_->expectFolder();
     try
     {
         sqlite::Transaction transaction(database.connection());

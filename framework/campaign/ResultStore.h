@@ -4,7 +4,7 @@
 /// opens (tables experiments, plannerConfigs, enums, runs, progress; an experiment is one problem at one
 /// sweep point).
 ///
-/// While a campaign runs the file is in write-ahead mode: a report can read it, and the helper files beside
+/// While a campaign runs the file is in write-ahead mode (where the file system can do that): a report can read it, and the helper files beside
 /// it
 /// (-wal, -shm) belong to it. They are folded in when the campaign ends, and when one that was killed goes on
 /// and ends. One computer at a time: on a network file system
@@ -62,6 +62,9 @@ public:
     ResultStore(const ResultStore &) = delete;
     ResultStore &operator=(const ResultStore &) = delete;
 
+    /// What the folder's file system lacks and what that means, in sentences; usually nothing.
+    [[nodiscard]] std::vector<std::string> notes() const;
+
     /// What the runs to come belong to: limits and planners' settings, kept with them for other tools.
     void describe(const BenchmarkPlan &plan, const Provenance &provenance);
 
@@ -76,7 +79,7 @@ public:
 
     /// Keeps a finished run (and its solution, where that is no more than 4 MiB packed). On return it is on
     /// disk. A run that is there already stays as it is. Throws InputError where an extra column has the name
-    /// of another, and FileError where the disk is full; then the store is as before.
+    /// of another, and FileError where the disk is full or the folder is gone; then the store is as before.
     void add(const RunRecord &record, const Solution &solution, const Progress &progress = {});
 
     /// All of them, or after a failure none.

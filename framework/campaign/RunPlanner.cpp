@@ -1,10 +1,12 @@
 #include "framework/campaign/RunPlanner.h"
 
+#include "framework/LateAnswer.h"
 #include "framework/campaign/RepeatedTiming.h"
 #include "framework/evaluation/Metrics.h"
 #include "framework/evaluation/Validator.h"
 #include "framework/support/Config.h"
 #include "framework/support/CpuTime.h"
+#include "framework/support/HarnessError.h"
 #include "framework/support/Memory.h"
 
 #include <algorithm>
@@ -79,6 +81,10 @@ void guarded(RunRecord &record, const std::string &who, Work &&work)
     try
     {
         work();
+    }
+    catch (const HarnessError &)
+    {
+        throw;
     }
     catch (const std::bad_alloc &)
     {
@@ -183,6 +189,21 @@ void plan(Planner &planner, const RunSettings &settings, const std::stop_token &
         end(record, PlannerStatus::crash, "ended with the status 'unknown'");
 }
 
+/// Takes the answer over, which is no part of the run's time.
+void collect(Planner &planner, const RunSettings &settings, RunRecord &record)
+{
+    if (!hasSolution(record))
+        return;
+    begin(RunPhase::check, settings, record);
+    if (auto *late = dynamic_cast<LateAnswer *>(&planner))
+        guarded(record, "",
+                [&]
+                {
+                    record.status = late->collect();
+                    record.reason = planner.reason();
+                });
+}
+
 /// Further timings of a run that ended with an answer.
 void repeat(const RunSettings &settings, const PreparedInstance &prepared, const RunRecord &before,
             const std::stop_token &stop, const Solution &solution, RunRecord &record)
@@ -201,6 +222,7 @@ void repeat(const RunSettings &settings, const PreparedInstance &prepared, const
         plan(*planner, settings, stop, again, progress);
         if (stop.stop_requested())
             return;
+        collect(*planner, settings, again);
         timing.add(again, planner->solution().fingerprint());
     }
     timing.note(record);
@@ -296,6 +318,8 @@ const char *toString(RunPhase phase)
         return "the check of its solution";
     case RunPhase::optimize:
         return "an optimizer";
+    case RunPhase::measure:
+        return "a metric";
     }
     return "";
 }
@@ -346,6 +370,7 @@ RunResult runPlanner(Planner &planner, const PreparedInstance &prepared,
     if (record.status == PlannerStatus::unknown)
         plan(planner, settings, stop, record, result.progress);
     memory.note(record, settings.limits.memory);
+    collect(planner, settings, record);
     if (settings.timingRepeats > 1)
         repeat(settings, prepared, before, stop, planner.solution(), record);
     if (record.status == PlannerStatus::infeasible && !record.unsolvable())
@@ -353,7 +378,8 @@ RunResult runPlanner(Planner &planner, const PreparedInstance &prepared,
     if (!hasSolution(record))
         return result;
 
-    begin(RunPhase::check, settings, record);
+    if (settings.timingRepeats > 1) // whose last phase was another
+        begin(RunPhase::check, settings, record);
     const MotionRule rule = planner.specs().motion;
     result.solution = planner.takeSolution();
     const bool mustComplete = record.solved();

@@ -56,13 +56,15 @@ struct NamedOptimizer
 [[nodiscard]] Solution improved(const Instance &instance, Solution solution,
                                 std::span<const NamedOptimizer> optimizers);
 
-/// The parts of a run, in their order; those after solve are left out where there is no solution.
+/// The parts of a run, in their order; those after solve are left out where there is no solution. The plan's
+/// limits hold in all but `check`.
 enum class RunPhase : std::uint8_t
 {
     setup,
     solve,
-    check,    ///< and measure
+    check,    ///< take the answer over and measure
     optimize, ///< each optimizer, and the check of what it gives
+    measure,  ///< by metrics that were added; by the executor, not by runPlanner()
 };
 
 /// As in "killed in solve()".
@@ -93,7 +95,7 @@ struct RunSettings
 /// Runs the planner as its parameters and seed are, and reports whatever it does:
 ///  * `unsupported` where it rejects the instance or needs a wider motion rule than the settings allow;
 ///  * `crash` where it throws, `memory_limit` where that is std::bad_alloc, or where the process grew by more
-///    than the limit (if measured);
+///    than the limit (if measured); a HarnessError is thrown on;
 ///  * `invalid` where its solution breaks its own motion rule or misses a goal, or an optimizer's does so or
 ///    is longer than before; the reason says which move, and which optimizer;
 ///    it is also `invalid` to call an instance infeasible that the oracle knows to be solvable under that
@@ -104,7 +106,7 @@ struct RunSettings
 /// `time` is the median, and the answers must not differ, which the record tells (`repeatable`). Memory is
 /// that of the first.
 ///
-/// Time is that of solve() alone, memory how far the process grows during setup() and solve(). Lengths are
+/// Time is that of solve() alone (without LateAnswer::collect(), which no limit concerns), memory how far the process grows during setup() and solve(). Lengths are
 /// there for `solved` and `partial` only; the makespan is that of the solution condensed under `following`.
 /// Without a solution `completed` counts the robots that are at their goals from the start. The record does
 /// not say which run it is: the caller fills that in.

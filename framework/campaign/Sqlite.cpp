@@ -22,6 +22,10 @@ std::string advice(int code)
     case SQLITE_CANTOPEN:
     case SQLITE_PERM:
         return "; the folder and its files must be writable";
+    case SQLITE_IOERR:
+    case SQLITE_PROTOCOL:
+        return "; the disk is failing, or its file system lacks what a database needs: try a folder on another one "
+               "(-o)";
     case SQLITE_NOTADB:
     case SQLITE_CORRUPT:
         return "; the file is damaged or no result store: move it away to begin anew, or restore a copy";
@@ -54,21 +58,28 @@ std::string immutableUri(const std::filesystem::path &file)
 
 } // namespace
 
-Connection::Connection(const std::filesystem::path &file, Mode mode) : file_(file)
+int Connection::open(const std::string &name, int flags)
 {
-    const int flags = mode == Mode::write ? SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE : SQLITE_OPEN_READONLY;
-    const auto open = [this](const std::string &name, int how)
-    {
-        int code = sqlite3_open_v2(name.c_str(), &handle_, how | SQLITE_OPEN_NOMUTEX, nullptr);
-        if (code == SQLITE_OK)
-        {
-            sqlite3_extended_result_codes(handle_, 1);
-            sqlite3_busy_timeout(handle_, kPatience);
-            code = sqlite3_exec(handle_, "SELECT count(*) FROM sqlite_master", nullptr, nullptr, nullptr);
-        }
+    const char *vfs = abilities_.locks ? nullptr : "unix-none";
+    int code = sqlite3_open_v2(name.c_str(), &handle_, flags | SQLITE_OPEN_NOMUTEX, vfs);
+    if (code != SQLITE_OK)
         return code;
-    };
-    int code = open(file.string(), flags);
+    sqlite3_extended_result_codes(handle_, 1);
+    sqlite3_busy_timeout(handle_, kPatience);
+    // A log that was left behind is read without shared memory by who is alone.
+    if (!abilities_.sharedMemory)
+        sqlite3_exec(handle_, "PRAGMA locking_mode = EXCLUSIVE", nullptr, nullptr, nullptr);
+    code = sqlite3_exec(handle_, "SELECT count(*) FROM sqlite_master", nullptr, nullptr, nullptr);
+    return code;
+}
+
+Connection::Connection(const std::filesystem::path &file, Mode mode, const FileSystemAbilities &abilities)
+    : file_(file), abilities_(abilities)
+{
+    const bool immutable = mode == Mode::read && !abilities.locks; // else it might take back what others write
+    const int flags = (mode == Mode::write ? SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE : SQLITE_OPEN_READONLY) |
+                      (immutable ? SQLITE_OPEN_URI : 0);
+    int code = open(immutable ? immutableUri(file) : file.string(), flags);
     std::error_code error;
     const bool quiet = !std::filesystem::exists(file.string() + "-wal", error); // nobody is writing
     if ((code & 0xff) == SQLITE_CANTOPEN && mode == Mode::read && quiet &&
@@ -99,6 +110,14 @@ Connection::~Connection()
 void Connection::run(const std::string &sql)
 {
     check(sqlite3_exec(handle_, sql.c_str(), nullptr, nullptr, nullptr));
+}
+
+void Connection::beginLog()
+{
+    if (abilities_.sharedMemory && abilities_.locks)
+        return run("PRAGMA journal_mode = WAL");
+    run("PRAGMA journal_mode = DELETE");
+    run("PRAGMA locking_mode = NORMAL");
 }
 
 void Connection::foldLog() noexcept

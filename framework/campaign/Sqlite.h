@@ -4,6 +4,7 @@
 /// errors that say what was being done.
 
 #include "framework/campaign/RunRecord.h"
+#include "framework/support/FileSystem.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -30,13 +31,18 @@ public:
     };
 
     /// Throws FileError where the file cannot be opened.
-    Connection(const std::filesystem::path &file, Mode mode);
+    /// \param abilities of its file system: without shared memory there is no write-ahead mode, without locks
+    /// nothing keeps other processes away
+    Connection(const std::filesystem::path &file, Mode mode, const FileSystemAbilities &abilities = {});
     ~Connection();
     Connection(const Connection &) = delete;
     Connection &operator=(const Connection &) = delete;
 
     /// Runs statements without parameters, separated by semicolons. Throws FileError.
     void run(const std::string &sql);
+
+    /// Begins write-ahead mode where the file system can do that, else a journal for each transaction.
+    void beginLog();
 
     /// Leaves write-ahead mode: afterwards the file alone holds everything. Changes nothing while another
     /// connection is open, and does not wait for it.
@@ -54,7 +60,10 @@ public:
     [[nodiscard]] sqlite3 *handle() const { return handle_; }
 
 private:
+    [[nodiscard]] int open(const std::string &name, int flags);
+
     std::filesystem::path file_;
+    FileSystemAbilities abilities_;
     sqlite3 *handle_ = nullptr;
 };
 

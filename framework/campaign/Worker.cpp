@@ -4,6 +4,7 @@
 #include "framework/campaign/InProcessExecutor.h"
 #include "framework/support/Error.h"
 #include "framework/support/Memory.h"
+#include "framework/support/ProcessState.h"
 #include "framework/support/ProcessTree.h"
 
 #include <sys/resource.h>
@@ -69,8 +70,9 @@ std::optional<Message> receive(MessageBuffer &buffer)
     }
 }
 
-/// Runs after runs, until the campaign is done.
-void serve(const BenchmarkPlan &plan, const Catalog &catalog, MessageBuffer &buffer)
+/// Runs after runs, until the campaign is done or a planner has spoiled the process.
+void serve(const BenchmarkPlan &plan, const InputWatch::Hashes &inputs, const Catalog &catalog,
+           MessageBuffer &buffer)
 {
     const pid_t self = ::getpid();
     const auto onlyOnce = [self]
@@ -79,6 +81,7 @@ void serve(const BenchmarkPlan &plan, const Catalog &catalog, MessageBuffer &buf
             ::_exit(0); // a process that the planner forked came back from solve()
     };
     InProcessExecutor executor(plan, catalog, 1);
+    executor.setInputs(std::make_shared<InputWatch>(inputs));
     executor.setPhaseEvent(
         [&](RunPhase phase, const RunRecord &record)
         {
@@ -89,11 +92,13 @@ void serve(const BenchmarkPlan &plan, const Catalog &catalog, MessageBuffer &buf
             if (phase == RunPhase::setup)
                 limitGrowth(plan.limits.memory);
         });
+    const ProcessState asItWas;
     while (const auto message = receive(buffer))
     {
         const auto spec = toSpec(*message);
         if (!spec || spec->point >= plan.points.size() || spec->planner >= plan.planners.size())
             throw InputError("the plan has changed while its campaign runs");
+        executor.setAddsMetrics(wantsAddedMetrics(*message));
         const ChildrenUsage before = ChildrenUsage::now();
         RunResult result = executor.execute(*spec, {});
         onlyOnce();
@@ -104,7 +109,8 @@ void serve(const BenchmarkPlan &plan, const Catalog &catalog, MessageBuffer &buf
         result.startedProcesses = ended.faults > before.faults;
         if (result.record.cpuTime)
             *result.record.cpuTime += ended.cpuTime - waited.cpuTime;
-        if (!send(kWorkerSocket, toMessage(result)))
+        result.lastOfWorker = !asItWas.restore();
+        if (!send(kWorkerSocket, toMessage(result)) || result.lastOfWorker)
             return;
     }
 }
@@ -118,15 +124,15 @@ int serveRuns(const Catalog &catalog, const std::function<BenchmarkPlan(const Pl
     const auto source = first ? toPlan(*first) : std::nullopt;
     if (!source)
         return 3;
-    becomeGuarded(kWorkerSocket);
     try
     {
+        becomeGuarded(kWorkerSocket);
         const BenchmarkPlan plan = readPlan(*source);
         if (send(kWorkerSocket, {MessageKind::ready, {}}))
-            serve(plan, catalog, buffer);
+            serve(plan, source->inputs, catalog, buffer);
         return 0;
     }
-    catch (const InputError &error)
+    catch (const std::exception &error) // what a planner throws is caught where it runs
     {
         send(kWorkerSocket, errorMessage(error.what()));
         return 2;

@@ -1,7 +1,8 @@
 #include "framework/campaign/WorkerExecutor.h"
 
+#include "framework/campaign/RunNotes.h"
 #include "framework/support/Config.h"
-#include "framework/support/Error.h"
+#include "framework/support/HarnessError.h"
 
 #include <algorithm>
 #include <csignal>
@@ -20,9 +21,35 @@ using Clock = WorkerProcess::Clock;
 /// late has answered by then.
 constexpr std::chrono::seconds kGrace{2};
 
+constexpr std::chrono::milliseconds kLookAround{50};
+
+/// A look-around that comes so late was held up by a pause of this process, and not by a busy machine.
+constexpr std::chrono::seconds kPause{1};
+
+/// How often the campaign tries again what others ended or spoiled.
+constexpr int kMostTries = 10;
+
+double seconds(Clock::duration duration)
+{
+    return std::chrono::duration<double>(duration).count();
+}
+
 double secondsSince(Clock::time_point start)
 {
-    return std::chrono::duration<double>(Clock::now() - start).count();
+    return seconds(Clock::now() - start);
+}
+
+/// How a worker ended.
+std::string inWords(const WorkerProcess::End &end)
+{
+    return end.signal != 0 ? fmt::format("killed by signal {} ({})", end.signal, ::strsignal(end.signal))
+                           : fmt::format("ended its process with exit code {}", end.exitCode);
+}
+
+/// The limits of time and memory are those of the plan's planners and optimizers, and of plugins' metrics.
+bool hasLimits(RunPhase phase)
+{
+    return phase != RunPhase::check;
 }
 
 } // namespace
@@ -38,8 +65,25 @@ struct WorkerExecutor::Attempt
         memory,
     };
 
+    /// Every look-around, and every message. What stands still uses up no limit: neither the worker, nor this
+    /// process, which then cannot tell whether the worker did, too.
+    void look(const WorkerProcess &worker)
+    {
+        const Clock::time_point now = Clock::now();
+        const Clock::duration since = now - std::exchange(lastLook, now);
+        const bool stopped = worker.isStopped();
+        workerStopped |= stopped;
+        if (since > kPause)
+            longestGap = std::max(longestGap, since);
+        if (deadline && (stopped || since > kPause))
+            *deadline += since;
+    }
+
     std::optional<PhaseNote> note; ///< nothing before the first phase
     Clock::time_point phaseStart;
+    Clock::time_point lastLook = Clock::now();
+    bool workerStopped = false;    ///< it was seen standing still
+    Clock::duration longestGap{0}; ///< between two looks, where it was a pause
     std::optional<Clock::time_point> deadline;
     std::optional<double>
         cpuAtPhase;            ///< seconds, of the worker and all that it started; where they are needed
@@ -71,8 +115,9 @@ std::unique_ptr<WorkerProcess> WorkerExecutor::takeWorker(const std::function<bo
     for (;;)
     {
         auto worker = std::make_unique<WorkerProcess>(command_, takeCores());
-        worker->send(toMessage(PlanSource{plan_.text, plan_.file, plan_.mapFolders}));
-        const auto answer = worker->receive(std::nullopt, stop);
+        worker->send(toMessage(PlanSource{plan_.text, plan_.file, plan_.mapFolders,
+                                          inputs_ ? inputs_->hashes() : InputWatch::Hashes()}));
+        const auto answer = worker->receive(stop);
         if (stop() || (answer && answer->kind == MessageKind::ready))
             return worker;
         if (answer && answer->kind == MessageKind::error)
@@ -102,11 +147,22 @@ WorkerProcess::End WorkerExecutor::end(WorkerProcess &worker)
     return end;
 }
 
+void WorkerExecutor::giveBack(std::unique_ptr<WorkerProcess> worker, bool isSpoiled)
+{
+    if (isSpoiled)
+    {
+        (void)end(*worker);
+        return;
+    }
+    const std::lock_guard lock(mutex_);
+    idle_.push_back(std::move(worker));
+}
+
 void WorkerExecutor::enter(WorkerProcess &worker, Attempt &attempt, PhaseNote note)
 {
     attempt.phaseStart = Clock::now();
     attempt.deadline.reset();
-    if (note.phase != RunPhase::check)
+    if (hasLimits(note.phase))
         attempt.deadline =
             attempt.phaseStart + kGrace +
             std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(plan_.limits.time));
@@ -119,7 +175,7 @@ void WorkerExecutor::enter(WorkerProcess &worker, Attempt &attempt, PhaseNote no
 
 bool WorkerExecutor::isBeyondLimits(WorkerProcess &worker, Attempt &attempt) const
 {
-    if (!attempt.note || attempt.note->phase == RunPhase::check)
+    if (!attempt.note || !hasLimits(attempt.note->phase))
         return false;
     ControlGroup *group = worker.group();
     const bool groupLimits = group != nullptr && !group->memoryMeans().empty();
@@ -151,19 +207,19 @@ bool WorkerExecutor::isBeyondLimits(WorkerProcess &worker, Attempt &attempt) con
 
 void WorkerExecutor::follow(WorkerProcess &worker, Attempt &attempt, const std::function<bool()> &stop)
 {
-    constexpr std::chrono::milliseconds kLookAround{50};
-    Clock::time_point nextLook = Clock::now() + kLookAround;
     const auto isOver = [&]
     {
-        if (Clock::now() >= nextLook)
-        {
-            nextLook = Clock::now() + kLookAround;
-            return stop() || isBeyondLimits(worker, attempt);
-        }
-        return stop();
+        if (stop())
+            return true;
+        if (Clock::now() < attempt.lastLook + kLookAround)
+            return false;
+        attempt.look(worker);
+        return isBeyondLimits(worker, attempt);
     };
-    while (auto message = worker.receive(attempt.deadline, isOver))
+    while (auto message = worker.receive(isOver))
     {
+        if (Clock::now() >= attempt.lastLook + kPause)
+            attempt.look(worker);
         switch (message->kind)
         {
         case MessageKind::phase:
@@ -179,8 +235,20 @@ void WorkerExecutor::follow(WorkerProcess &worker, Attempt &attempt, const std::
             return;
         }
     }
-    if (attempt.end == Attempt::End::byItself && attempt.deadline && Clock::now() >= *attempt.deadline)
-        attempt.end = Attempt::End::wallTime;
+}
+
+bool WorkerExecutor::wasPaused(const Attempt &attempt) const
+{
+    if (attempt.workerStopped || (attempt.result && attempt.result->paused))
+        return true;
+    if (!attempt.result)
+        return attempt.longestGap.count() > 0;
+    // The worker did not notice that all processes were frozen, but then it measured the time of the freeze.
+    const RunRecord &record = attempt.result->record;
+    const double once = record.setupTime.value_or(0) + record.time.value_or(0);
+    const auto times = static_cast<double>(record.timed.value_or(1) + plan_.execution.warmUp);
+    return attempt.longestGap.count() > 0 &&
+           once * times + record.optimizationTime.value_or(0) >= seconds(attempt.longestGap);
 }
 
 void WorkerExecutor::describeConditions(RunRecord &record, const WorkerProcess &worker) const
@@ -217,10 +285,12 @@ RunResult WorkerExecutor::describeEnd(const RunSpec &spec, Attempt &attempt, con
 {
     RunResult result;
     RunRecord &record = result.record;
-    const std::string where = attempt.note ? std::string("in ") + toString(attempt.note->phase)
-                                           : std::string("before its planner began");
-    if (attempt.note)
+    std::string where;
+    if (attempt.note) // else the campaign was stopped before
+    {
+        where = std::string("in ") + toString(attempt.note->phase);
         record = std::move(attempt.note->record);
+    }
     if (attempt.note && attempt.note->phase == RunPhase::solve)
     {
         record.time = secondsSince(attempt.phaseStart);
@@ -248,15 +318,21 @@ RunResult WorkerExecutor::describeEnd(const RunSpec &spec, Attempt &attempt, con
         break;
     case Attempt::End::byItself:
         record.status = PlannerStatus::crash;
-        record.terminationReason = end.signal == SIGKILL ? "killed" : attempt.note ? "" : "failed";
-        record.reason =
-            end.signal != 0
-                ? fmt::format("killed by signal {} ({}) {}", end.signal, ::strsignal(end.signal), where)
-                : fmt::format("ended its process with exit code {} {}", end.exitCode, where);
+        record.terminationReason = end.signal == SIGKILL ? "killed" : "";
+        record.reason = inWords(end) + " " + where;
         break;
     }
     fillIdentity(record, plan_, spec);
     return result;
+}
+
+/// A worker ended by itself that had not begun to plan: no planner of this run did that.
+void WorkerExecutor::refuseToBlame(const RunSpec &spec, const WorkerProcess::End &end, int tries) const
+{
+    if (tries > kMostTries)
+        throw HarnessError(fmt::format(
+            "the instance {} cannot be made: {} workers that tried ended {}; nothing was recorded for it",
+            spec.caseId, tries, inWords(end)));
 }
 
 RunResult WorkerExecutor::execute(const RunSpec &spec, const std::stop_token &stop)
@@ -264,11 +340,13 @@ RunResult WorkerExecutor::execute(const RunSpec &spec, const std::stop_token &st
     constexpr int kMostKills = 2; // by others, in the middle of this run
     const auto stopped = [&stop] { return stop.stop_requested(); };
     RunResult result;
-    for (int kills = 0;;)
+    bool addedMetrics = true;
+    std::string note;
+    for (int kills = 0, tries = 0;;)
     {
         std::unique_ptr<WorkerProcess> worker = takeWorker(stopped);
         Attempt attempt;
-        worker->send(toMessage(spec));
+        worker->send(toMessage(spec, addedMetrics));
         follow(*worker, attempt, stopped);
         std::string errorOutput;
         if (attempt.result)
@@ -278,8 +356,8 @@ RunResult WorkerExecutor::execute(const RunSpec &spec, const std::stop_token &st
             countChildrensMemory(result, *worker, attempt);
             describeConditions(result.record, *worker);
             errorOutput = worker->takeErrorOutput();
-            const std::lock_guard lock(mutex_);
-            idle_.push_back(std::move(worker));
+            result.paused = wasPaused(attempt);
+            giveBack(std::move(worker), result.lastOfWorker);
         }
         else
         {
@@ -290,11 +368,26 @@ RunResult WorkerExecutor::execute(const RunSpec &spec, const std::stop_token &st
             RunRecord conditions;
             describeConditions(conditions, *worker);
             const WorkerProcess::End how = end(*worker);
-            const bool killedByOthers = how.signal == SIGKILL && attempt.end == Attempt::End::byItself;
-            if (killedByOthers && !stopped() && (!attempt.note || ++kills <= kMostKills))
+            if (!attempt.note && !stopped())
+            {
+                refuseToBlame(spec, how, ++tries);
                 continue;
+            }
+            const bool killedByOthers = how.signal == SIGKILL && attempt.end == Attempt::End::byItself;
+            if (killedByOthers && !stopped() && ++kills <= kMostKills)
+                continue;
+            if (addedMetrics && attempt.note && attempt.note->phase == RunPhase::measure && !stopped())
+            {
+                note = "no added metrics: one of them " + (attempt.end == Attempt::End::byItself
+                                                                ? inWords(how)
+                                                                : std::string("needed too much time or memory"));
+                addedMetrics = false;
+                continue;
+            }
             errorOutput = worker->takeErrorOutput();
+            const bool paused = wasPaused(attempt);
             result = describeEnd(spec, attempt, how, cpuTime);
+            result.paused = paused;
             result.record.cores = conditions.cores;
             result.record.limitMeans = conditions.limitMeans;
         }
@@ -302,6 +395,8 @@ RunResult WorkerExecutor::execute(const RunSpec &spec, const std::stop_token &st
             result.record.extra["error_output"] = std::move(errorOutput);
         break;
     }
+    if (!note.empty())
+        addNote(result.record, note);
     if (needInstances_ && result.record.vertices)
         result.instance = instances_.instance(spec)->instance;
     return result;

@@ -115,6 +115,12 @@ Message toMessage(const PlanSource &plan)
     writer.number(plan.mapFolders.size());
     for (const std::filesystem::path &folder : plan.mapFolders)
         writer.text(folder.string());
+    writer.number(plan.inputs.size());
+    for (const auto &[file, hash] : plan.inputs)
+    {
+        writer.text(file);
+        writer.text(hash);
+    }
     return {MessageKind::plan, writer.take()};
 }
 
@@ -126,12 +132,18 @@ std::optional<PlanSource> toPlan(const Message &message)
     plan.file = reader.text();
     for (std::uint64_t left = reader.number(); left > 0 && reader.good(); --left)
         plan.mapFolders.emplace_back(reader.text());
+    for (std::uint64_t left = reader.number(); left > 0 && reader.good(); --left)
+    {
+        std::string file = reader.text();
+        plan.inputs.emplace(std::move(file), reader.text());
+    }
     return message.kind == MessageKind::plan && reader.good() ? std::optional(plan) : std::nullopt;
 }
 
-Message toMessage(const RunSpec &spec)
+Message toMessage(const RunSpec &spec, bool addedMetrics)
 {
     ByteWriter writer;
+    writer.byte(addedMetrics ? 1 : 0);
     writer.number(spec.point);
     writer.number(spec.planner);
     writer.number(static_cast<std::uint64_t>(spec.repetition));
@@ -147,6 +159,7 @@ std::optional<RunSpec> toSpec(const Message &message)
 {
     ByteReader reader(message.bytes);
     RunSpec spec;
+    (void)reader.byte(); // see wantsAddedMetrics()
     spec.point = reader.number();
     spec.planner = reader.number();
     spec.repetition = static_cast<std::int64_t>(reader.number());
@@ -156,6 +169,11 @@ std::optional<RunSpec> toSpec(const Message &message)
     spec.caseId = reader.text();
     spec.runKey = reader.text();
     return message.kind == MessageKind::run && reader.good() ? std::optional(spec) : std::nullopt;
+}
+
+bool wantsAddedMetrics(const Message &run)
+{
+    return ByteReader(run.bytes).byte() != 0;
 }
 
 Message toMessage(const PhaseNote &note)
@@ -182,7 +200,8 @@ Message toMessage(const RunResult &result)
     write(writer, result.progress);
     writer.block(packSolution(result.solution));
     writer.block(packSolution(result.optimized));
-    writer.byte(result.startedProcesses ? 1 : 0);
+    for (const bool flag : {result.startedProcesses, result.paused, result.lastOfWorker})
+        writer.byte(flag ? 1 : 0);
     return {MessageKind::finished, writer.take()};
 }
 
@@ -194,7 +213,8 @@ std::optional<RunResult> toResult(const Message &message)
     result.progress = readProgress(reader);
     std::optional<Solution> solution = readSolution(reader);
     std::optional<Solution> optimized = readSolution(reader);
-    result.startedProcesses = reader.byte() != 0;
+    for (bool *flag : {&result.startedProcesses, &result.paused, &result.lastOfWorker})
+        *flag = reader.byte() != 0;
     if (message.kind != MessageKind::finished || !solution || !optimized || !reader.good())
         return std::nullopt;
     result.solution = std::move(*solution);

@@ -8,6 +8,7 @@
 
 #include "framework/campaign/BenchmarkPlan.h"
 #include "framework/campaign/Executor.h"
+#include "framework/campaign/InputWatch.h"
 #include "framework/campaign/RunPlanner.h"
 
 #include <cstdint>
@@ -41,6 +42,7 @@ struct PlanSource
     std::string text;
     std::filesystem::path file;
     std::vector<std::filesystem::path> mapFolders;
+    InputWatch::Hashes inputs = {}; ///< what its input files have to hold
 };
 
 /// Which part of a run begins, and what is known of the run by then.
@@ -51,7 +53,8 @@ struct PhaseNote
 };
 
 [[nodiscard]] Message toMessage(const PlanSource &plan);
-[[nodiscard]] Message toMessage(const RunSpec &spec);
+/// \param addedMetrics whether what plugins added is to be measured
+[[nodiscard]] Message toMessage(const RunSpec &spec, bool addedMetrics);
 [[nodiscard]] Message toMessage(const PhaseNote &note);
 [[nodiscard]] Message toMessage(const RunResult &result);
 [[nodiscard]] Message errorMessage(const std::string &text);
@@ -59,6 +62,7 @@ struct PhaseNote
 /// Nothing where the bytes are not what the kind says.
 [[nodiscard]] std::optional<PlanSource> toPlan(const Message &message);
 [[nodiscard]] std::optional<RunSpec> toSpec(const Message &message);
+[[nodiscard]] bool wantsAddedMetrics(const Message &run);
 [[nodiscard]] std::optional<PhaseNote> toPhase(const Message &message);
 [[nodiscard]] std::optional<RunResult> toResult(const Message &message);
 [[nodiscard]] std::string toErrorText(const Message &message);

@@ -73,31 +73,40 @@ WorkerProcess::~WorkerProcess()
         (void)end();
 }
 
-std::optional<Message> WorkerProcess::receive(const std::optional<Clock::time_point> &deadline,
-                                              const std::function<bool()> &stop)
+std::optional<Message> WorkerProcess::receive(const std::function<bool()> &isOver)
 {
-    constexpr std::chrono::milliseconds kLookAround{50};
-    while (!stop())
+    constexpr int kLookAround = 50; // milliseconds
+    for (;;)
     {
         if (auto message = buffer_.next())
             return message;
-        auto patience = kLookAround;
-        if (deadline)
-        {
-            const auto left = std::chrono::ceil<std::chrono::milliseconds>(*deadline - Clock::now());
-            if (left.count() <= 0)
-                return std::nullopt;
-            patience = std::min(patience, left);
-        }
         std::array<pollfd, 2> sources{{{socket_.number(), POLLIN, 0}, {errors_.number(), POLLIN, 0}}};
-        if (::poll(sources.data(), sources.size(), static_cast<int>(patience.count())) <= 0)
-            continue;
-        if (sources[1].revents != 0)
+        const bool any = ::poll(sources.data(), sources.size(), kLookAround) > 0;
+        if (any && sources[1].revents != 0)
             readErrorOutput();
-        if (sources[0].revents != 0 && !buffer_.readFrom(socket_.number()))
+        if (any && sources[0].revents != 0)
+        {
+            if (!buffer_.readFrom(socket_.number()))
+                return std::nullopt;
+        }
+        else if (isOver())
+        {
             return std::nullopt;
+        }
     }
-    return std::nullopt;
+}
+
+pid_t WorkerProcess::worker() const
+{
+    if (worker_ < 0)
+        if (const std::vector<pid_t> children = childrenOf(pid_); !children.empty())
+            worker_ = children.front();
+    return worker_;
+}
+
+bool WorkerProcess::isStopped() const
+{
+    return mrpp::isStopped(worker());
 }
 
 WorkerProcess::End WorkerProcess::end()
@@ -107,6 +116,7 @@ WorkerProcess::End WorkerProcess::end()
     const bool isGone = ::poll(&socket, 1, 0) > 0 && (socket.revents & (POLLRDHUP | POLLHUP)) != 0;
     if (!isGone)
         ::kill(pid_, SIGTERM);
+    ::kill(-pid_, SIGCONT); // who is stopped would not hear it
     int status = 0;
     pid_t ended = 0;
     for (int i = 0; i < kPatience && (ended = ::waitpid(pid_, &status, WNOHANG)) == 0; ++i)
@@ -127,11 +137,9 @@ double WorkerProcess::cpuTime() const
 
 double WorkerProcess::childrenMemory() const
 {
-    const std::vector<pid_t> first = childrenOf(pid_);
     double sum = 0;
-    if (!first.empty())
-        for (const pid_t process : descendantsOf(first.front()))
-            sum += ownMemory(process);
+    for (const pid_t process : descendantsOf(worker()))
+        sum += ownMemory(process);
     return sum;
 }
 

@@ -38,10 +38,12 @@ public:
     /// False where the worker is gone.
     bool send(const Message &message) { return mrpp::send(socket_.number(), message); }
 
-    /// The next message; nothing where the worker has ended, `deadline` passed, or `stop`, which is asked at
-    /// least every 50 ms, says so.
-    [[nodiscard]] std::optional<Message> receive(const std::optional<Clock::time_point> &deadline,
-                                                 const std::function<bool()> &stop);
+    /// The next message; nothing where the worker has ended, or `isOver` says so, which is asked every 50 ms
+    /// and only when no message is waiting: whoever has answered is not judged as silent.
+    [[nodiscard]] std::optional<Message> receive(const std::function<bool()> &isOver);
+
+    /// Whether the worker stands still now, stopped by a signal or a debugger.
+    [[nodiscard]] bool isStopped() const;
 
     /// What became of it.
     struct End
@@ -69,8 +71,11 @@ public:
 
 private:
     void readErrorOutput();
+    /// −1 where it has not begun yet, or is gone.
+    [[nodiscard]] pid_t worker() const;
 
-    pid_t pid_ = -1; ///< of its guardian, whose first child is the worker
+    pid_t pid_ = -1;            ///< of its guardian, whose first child is the worker
+    mutable pid_t worker_ = -1; ///< once it is known
     CoreSet cores_;
     std::unique_ptr<ControlGroup> group_;
     Descriptor socket_;

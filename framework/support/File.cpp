@@ -2,8 +2,10 @@
 
 #include "framework/support/Error.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <ctime>
 #include <fcntl.h>
 #include <fstream>
 #include <iterator>
@@ -27,6 +29,21 @@ bool isWrittenInPlace(const std::filesystem::path &path)
         return true;
     const std::string target = std::filesystem::read_symlink(path, error).string();
     return target.starts_with("/proc/") || target.starts_with("/dev/");
+}
+
+/// A name beside the file, no longer than names may be. \param attempt counts those that were taken
+std::string temporaryName(const std::filesystem::path &path, int attempt)
+{
+    constexpr std::size_t kLongest = 200; // bytes, of 255 that file systems take
+    std::string name = path.filename().string();
+    std::size_t end = std::min(name.size(), kLongest);
+    while (end > 0 && end < name.size() && (static_cast<unsigned char>(name[end]) & 0xC0U) == 0x80U)
+        --end; // no character is cut in two
+    name.resize(end);
+    std::timespec now{};
+    ::clock_gettime(CLOCK_REALTIME, &now);
+    name += "." + std::to_string(::getpid()) + "-" + std::to_string(now.tv_nsec) + "-" + std::to_string(attempt);
+    return (path.parent_path() / name).string();
 }
 
 } // namespace
@@ -69,11 +86,20 @@ FileWriter::FileWriter(std::filesystem::path path) : path_(std::move(path))
     }
     if (path_.has_parent_path())
         std::filesystem::create_directories(path_.parent_path(), error);
-    std::string name = path_.string() + ".XXXXXX";
-    file_ = ::mkostemp(name.data(), O_CLOEXEC);
+    constexpr mode_t kAsTheUmaskSays = 0666;
+    constexpr int kMostTries = 1000; // every one of them has another name
+    for (int i = 0; file_ < 0 && i < kMostTries; ++i)
+    {
+        temporary_ = temporaryName(path_, i);
+        file_ = ::open(temporary_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, kAsTheUmaskSays);
+        if (file_ < 0 && errno != EEXIST)
+            break;
+    }
     if (file_ < 0)
+    {
+        temporary_.clear(); // it is somebody else's
         fail("create");
-    temporary_ = std::move(name);
+    }
 }
 
 FileWriter::~FileWriter()
@@ -101,9 +127,8 @@ void FileWriter::finish()
 {
     if (file_ < 0)
         return;
-    constexpr mode_t kReadableByAll = 0644;
     const bool inPlace = temporary_.empty();
-    const bool flushed = inPlace || (::fchmod(file_, kReadableByAll) == 0 && ::fsync(file_) == 0);
+    const bool flushed = inPlace || ::fsync(file_) == 0;
     const bool closed = ::close(std::exchange(file_, -1)) == 0;
     if (!flushed || !closed)
         fail("flush");

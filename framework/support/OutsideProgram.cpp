@@ -8,6 +8,7 @@
 #include <cstring>
 #include <fcntl.h>
 #include <poll.h>
+#include <sys/resource.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -20,8 +21,28 @@ namespace
 
 using Clock = std::chrono::steady_clock;
 
+/// While it lives, what this process starts has no limit of data memory, which counts the stacks of threads
+/// whole, used or not: outside programs are measured by what they use.
+class UnlimitedData
+{
+public:
+    UnlimitedData()
+    {
+        ::getrlimit(RLIMIT_DATA, &before_);
+        const rlimit wide{before_.rlim_max, before_.rlim_max};
+        ::setrlimit(RLIMIT_DATA, &wide);
+    }
+    ~UnlimitedData() { ::setrlimit(RLIMIT_DATA, &before_); }
+    UnlimitedData(const UnlimitedData &) = delete;
+    UnlimitedData &operator=(const UnlimitedData &) = delete;
+
+private:
+    rlimit before_{};
+};
+
 pid_t start(const ProgramRequest &request)
 {
+    const UnlimitedData unlimited;
     constexpr mode_t kOwn = 0600;
     const char *output = request.output.empty() ? "/dev/null" : request.output.c_str();
     posix_spawn_file_actions_t actions;

@@ -22,14 +22,20 @@ std::string procFile(pid_t process, const char *name)
     return "/proc/" + std::to_string(process) + "/" + name;
 }
 
+/// What /proc/…/stat says behind the name, which may hold anything; begins with the state.
+std::istringstream statFields(pid_t process)
+{
+    std::ifstream file(procFile(process, "stat"));
+    std::string line;
+    std::getline(file, line);
+    return std::istringstream(line.substr(std::min(line.size(), line.rfind(')') + 1)));
+}
+
 /// Of one process and of the children that it waited for.
 double cpuTime(pid_t process)
 {
     constexpr int kBetween = 11; // fields between the name and the first of the four times
-    std::ifstream file(procFile(process, "stat"));
-    std::string line;
-    std::getline(file, line);
-    std::istringstream fields(line.substr(std::min(line.size(), line.rfind(')') + 1)));
+    std::istringstream fields = statFields(process);
     std::string skipped;
     for (int i = 0; i < kBetween; ++i)
         fields >> skipped;
@@ -80,6 +86,12 @@ double ownMemory(pid_t process)
         if (line.starts_with(kName))
             return std::stod(line.substr(kName.size())) * 1024e-6;
     return 0;
+}
+
+bool isStopped(pid_t process)
+{
+    char state = ' ';
+    return (statFields(process) >> state) && (state == 'T' || state == 't');
 }
 
 void endChildren()

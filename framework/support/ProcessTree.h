@@ -20,6 +20,9 @@ namespace mrpp
 /// MB of memory of a process's own (not of files), pages that it shares with others counted in parts.
 [[nodiscard]] double ownMemory(pid_t process);
 
+/// Whether the process stands still: stopped by a signal or a debugger.
+[[nodiscard]] bool isStopped(pid_t process);
+
 /// Kills every child of this process and waits for it. If this process takes in orphans
 /// (PR_SET_CHILD_SUBREAPER) that ends all descendants, whatever their sessions.
 void endChildren();

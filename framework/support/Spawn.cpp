@@ -17,7 +17,7 @@ pid_t spawnGroup(std::span<const std::string> command, const posix_spawn_file_ac
     sigset_t restored;
     sigemptyset(&none);
     sigemptyset(&restored);
-    for (const int signal : {SIGPIPE, SIGINT, SIGTERM})
+    for (const int signal : {SIGPIPE, SIGINT, SIGTERM, SIGXFSZ})
         sigaddset(&restored, signal);
     posix_spawnattr_setsigmask(&attributes, &none);
     posix_spawnattr_setsigdefault(&attributes, &restored);

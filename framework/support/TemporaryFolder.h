@@ -1,14 +1,12 @@
 #pragma once
 /// \file
-/// A folder of one's own that disappears with the object.
+/// A folder of one's own that disappears with the object; and if the process is killed, with the next look for
+/// such folders.
 
-#include "framework/support/Error.h"
+#include "framework/support/Descriptor.h"
 
-#include <cerrno>
-#include <cstdlib>
-#include <cstring>
+#include <cstdint>
 #include <filesystem>
-#include <string>
 
 namespace mrpp
 {
@@ -16,30 +14,28 @@ namespace mrpp
 class TemporaryFolder
 {
 public:
-    /// Throws FileError where none can be made.
-    TemporaryFolder()
-    {
-        std::error_code error;
-        std::filesystem::path parent = std::filesystem::temp_directory_path(error);
-        if (error)
-            parent = "/tmp";
-        std::string name = (parent / "mrppsim-XXXXXX").string();
-        if (::mkdtemp(name.data()) == nullptr)
-            throw FileError({name}, std::string("cannot make a temporary folder: ") + std::strerror(errno));
-        path_ = name;
-    }
-    ~TemporaryFolder()
-    {
-        std::error_code ignored;
-        std::filesystem::remove_all(path_, ignored);
-    }
+    /// Makes $TMPDIR/mrppsim-XXXXXX, and in it a locked file that says whose it is and that he lives. Throws
+    /// FileError where that fails.
+    TemporaryFolder();
+    ~TemporaryFolder();
     TemporaryFolder(const TemporaryFolder &) = delete;
     TemporaryFolder &operator=(const TemporaryFolder &) = delete;
 
+    /// Absolute.
     [[nodiscard]] const std::filesystem::path &path() const { return path_; }
 
 private:
     std::filesystem::path path_;
+    Descriptor lock_;
 };
+
+/// Removes the folders of processes that were killed: those whose lock nobody holds.
+void removeStaleTemporaryFolders() noexcept;
+
+/// Whether the file system of that folder has no room left, for bytes or for files.
+[[nodiscard]] bool isFull(const std::filesystem::path &folder);
+
+/// Bytes of all files below that folder.
+[[nodiscard]] std::uintmax_t bytesIn(const std::filesystem::path &folder);
 
 } // namespace mrpp

@@ -12,6 +12,7 @@
 #include <sys/wait.h>
 #include <thread>
 #include <unistd.h>
+#include <utility>
 
 namespace mrpp
 {
@@ -36,18 +37,24 @@ pid_t spawn(const std::vector<std::string> &arguments, const std::filesystem::pa
     return child;
 }
 
-/// Collects what comes out until the other end closes; false where the deadline came first.
-bool collect(int source, Clock::time_point deadline, std::string &output)
+/// Collects what comes out until the other end closes; false where the deadline came first. A look that comes far
+/// too late was held up by a pause of this process (stopped, the machine asleep), which puts the deadline off.
+bool collect(int source, Clock::time_point &deadline, std::string &output)
 {
     constexpr std::size_t kKept = std::size_t{64} << 10;
+    constexpr int kLookAround = 100; // milliseconds
+    constexpr std::chrono::seconds kPause{1};
     std::array<char, 4096> buffer{};
-    for (;;)
+    for (Clock::time_point lastLook = Clock::now();;)
     {
-        const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now()).count();
-        if (left <= 0)
-            return false;
         pollfd waited{source, POLLIN, 0};
-        if (::poll(&waited, 1, static_cast<int>(std::min<long long>(left, 60'000))) <= 0)
+        const bool any = ::poll(&waited, 1, kLookAround) > 0;
+        const auto since = Clock::now() - std::exchange(lastLook, Clock::now());
+        if (since > kPause)
+            deadline += since;
+        if (lastLook >= deadline + (any ? kPause : Clock::duration::zero())) // what waits is read first
+            return false;
+        if (!any)
             continue;
         const ssize_t size = ::read(source, buffer.data(), buffer.size());
         if (size < 0 && errno == EINTR)
@@ -89,7 +96,7 @@ ProcessResult runProcess(const std::vector<std::string> &arguments, const std::f
         return result;
     result.started = true;
 
-    const auto deadline = Clock::now() + limit;
+    auto deadline = Clock::now() + limit;
     int status = 0;
     result.timedOut = !collect(source.number(), deadline, result.output) || !waitFor(child, deadline, status);
     if (result.timedOut)

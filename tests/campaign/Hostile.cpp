@@ -2,11 +2,17 @@
 
 #include "tests/campaign/Fixtures.h"
 
+#include <cfenv>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <fcntl.h>
+#include <filesystem>
 #include <stdexcept>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <thread>
 #include <unistd.h>
 
 namespace mrpp::fixtures
@@ -138,6 +144,57 @@ void chatter(int megabytes)
     std::fflush(stdout);
 }
 
+/// Changes what belongs to the whole process, and what is in it.
+void spoil()
+{
+    (void)!::chdir("/");
+    ::umask(0777);
+    for (const auto resource : {RLIMIT_NOFILE, RLIMIT_FSIZE, RLIMIT_STACK})
+    {
+        rlimit limit{};
+        ::getrlimit(resource, &limit);
+        limit.rlim_cur = 0;
+        ::setrlimit(resource, &limit);
+    }
+    std::signal(SIGTERM, SIG_IGN);
+    std::signal(SIGCHLD, SIG_IGN);
+    sigset_t all;
+    ::sigfillset(&all);
+    ::pthread_sigmask(SIG_BLOCK, &all, nullptr);
+    ::setenv("PATH", "/nowhere", 1);
+    ::setenv("TMPDIR", "/nowhere", 1);
+    std::fesetround(FE_UPWARD);
+}
+
+/// And so that it cannot be taken back.
+void spoilForGood()
+{
+    spoil();
+    ::close(STDERR_FILENO);
+    std::thread([] { ::pause(); }).detach();
+}
+
+/// Says how its process is.
+class Inspector final : public Walker
+{
+public:
+    PlannerStatus solve(const TerminationCondition &) override
+    {
+        std::string state = std::filesystem::current_path().string() + " " + std::getenv("PATH");
+        const mode_t mask = ::umask(0);
+        ::umask(mask);
+        rlimit files{};
+        ::getrlimit(RLIMIT_NOFILE, &files);
+        struct sigaction action = {};
+        ::sigaction(SIGTERM, nullptr, &action);
+        for (const auto number :
+             {std::uint64_t{mask}, std::uint64_t{files.rlim_cur}, std::uint64_t{action.sa_handler == SIG_DFL},
+              std::uint64_t(std::fegetround()), std::uint64_t(::fcntl(STDERR_FILENO, F_GETFD) >= 0)})
+            state += " " + std::to_string(number);
+        return because(PlannerStatus::gave_up, state);
+    }
+};
+
 unsigned overflow(unsigned depth, const volatile bool &further) // NOLINT(misc-no-recursion)
 {
     volatile char frame[4096];
@@ -187,6 +244,9 @@ Catalog hostileCatalog()
     add(all, "family", [] { raiseFamily(); });
     add(all, "foreman", [] { delegateSpinning(); });
     all.planners.add<Busy>("busy", "");
+    all.planners.add<Inspector>("inspector", "");
+    add(all, "spoiler", [] { spoil(); });
+    add(all, "wrecker", [] { spoilForGood(); });
     add(all, "overflower",
         []
         {
@@ -225,6 +285,25 @@ BenchmarkPlan namedPlan(const std::string &name)
         named.points.resize(1);
         named.limits.time = 300;
         named.limits.cpu = 0.4;
+    }
+    else if (name == "spoilers" || name == "inspectors")
+    {
+        named = plan({"spoiler", "inspector", "wrecker", "walker"}, 4);
+        if (name == "inspectors")
+            std::erase_if(named.planners, [](const Configured &planner)
+                          { return planner.kind == "spoiler" || planner.kind == "wrecker"; });
+    }
+    else if (name == "brief")
+    {
+        named = plan({"walker"}, 3);
+        named.planners[0].settings = {{"pause", "0.2"}};
+        named.limits.time = 0.6;
+    }
+    else if (name == "deaf")
+    {
+        named = plan({"spinner"}, 1);
+        named.points.resize(1);
+        named.limits.time = 0.3;
     }
     else if (name == "trivial")
     {

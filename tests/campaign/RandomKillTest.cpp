@@ -1,6 +1,7 @@
 /// \file
-/// A campaign of 2004 runs in workers whose processes are killed at random moments, and which is started
-/// again each time its own process was hit. MRPP_KILLS says how many kills; a few by default.
+/// A campaign of 2004 runs in workers whose processes are killed, or stopped and continued, at random moments,
+/// and which is started again each time its own process was killed. MRPP_KILLS says how often; a few by
+/// default.
 
 #include "framework/Benchmark.h"
 #include "framework/campaign/ResultStore.h"
@@ -65,6 +66,14 @@ int disturb(pid_t campaign, const std::filesystem::path &folder, Random &random,
         std::erase(workers, campaign);
         const bool parent = workers.empty() || random.below(2) == 0;
         ++kills;
+        if (random.below(3) == 0)
+        {
+            const pid_t stopped = parent ? campaign : workers[random.below(workers.size())];
+            ::kill(stopped, SIGSTOP);
+            std::this_thread::sleep_for(std::chrono::milliseconds(random.below(1500)));
+            ::kill(stopped, SIGCONT);
+            continue;
+        }
         ::kill(parent ? campaign : workers[random.below(workers.size())], SIGKILL);
         if (!parent)
             continue;
@@ -81,9 +90,9 @@ void expectNobodyIsLeft(const std::filesystem::path &folder)
     EXPECT_TRUE(fixtures::processes(folder.string()).empty());
 }
 
-TEST(RandomKills, LoseRepeatAndChangeNothing)
+TEST(RandomKills, AndPausesLoseRepeatAndChangeNothing)
 {
-    constexpr int kAFew = 8;
+    constexpr int kAFew = 12;
     const char *asked = std::getenv("MRPP_KILLS");
     const int wanted = asked == nullptr ? kAFew : std::atoi(asked);
     const BenchmarkPlan plan = fixtures::namedPlan("many");
@@ -121,7 +130,7 @@ TEST(RandomKills, LoseRepeatAndChangeNothing)
         EXPECT_EQ(before.size(), 2004U);
         EXPECT_EQ(fixtures::rows(plan, folder.path()), expected);
     }
-    std::printf("%d kills, %d campaigns\n", kills, campaigns);
+    std::printf("%d kills and pauses, %d campaigns\n", kills, campaigns);
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 #include "framework/campaign/RunPlanner.h"
 
+#include "framework/LateAnswer.h"
 #include "framework/campaign/InProcessExecutor.h"
 #include "tests/campaign/Fixtures.h"
 
@@ -7,6 +8,9 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <chrono>
+#include <thread>
+#include <vector>
 
 namespace mrpp
 {
@@ -69,6 +73,30 @@ public:
 private:
     std::atomic<std::int64_t> count_ = 0;
 };
+
+/// Solves at once and needs long to hand its answer over.
+class SlowReader final : public Planner, public LateAnswer
+{
+public:
+    SlowReader() : Planner({.citation = "", .motion = MotionRule::pebble, .completeFor = ""}) {}
+    PlannerStatus solve(const TerminationCondition &) override { return PlannerStatus::solved; }
+    PlannerStatus collect() override
+    {
+        const std::vector<char> text(100'000'000, 'x');
+        std::this_thread::sleep_for(std::chrono::milliseconds(200));
+        return text[0] == 'x' ? because(PlannerStatus::gave_up, "nothing in it") : PlannerStatus::solved;
+    }
+};
+
+TEST(RunPlanner, CollectsAnswersOutsideOfTheRunsTimeAndMemory)
+{
+    SlowReader reader;
+    const RunResult result = runPlanner(reader, question(), {}, {.limits = {.time = 0.05, .memory = 50}}, {});
+    EXPECT_EQ(result.record.status, PlannerStatus::gave_up);
+    EXPECT_EQ(result.record.reason, "nothing in it");
+    EXPECT_LT(result.record.time.value(), 0.05);
+    EXPECT_LT(result.record.memory.value(), 50);
+}
 
 TEST(RunPlanner, SamplesWhatAPlannerShowsWhileItWorks)
 {

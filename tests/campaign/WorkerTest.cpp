@@ -242,6 +242,31 @@ TEST(Worker, IsReplacedWhenSomebodyKillsIt)
     EXPECT_EQ(campaign.rows(), fixtures::rows(campaign.plan(), folder.path()));
 }
 
+TEST(Worker, DoesNotPassOnWhatAPlannerDidToItsProcess)
+{
+    if (kSanitized)
+        GTEST_SKIP() << "sanitizers need their own";
+    Campaign spoiled("spoilers");
+    Campaign clean("inspectors");
+    (void)spoiled.run(1);
+    (void)clean.run(1);
+    const auto reasons = [](const Campaign &campaign)
+    {
+        std::set<std::string> all;
+        for (const RunRecord &record : campaign.records("inspector"))
+            all.insert(record.reason);
+        return all;
+    };
+    EXPECT_EQ(reasons(clean).size(), 1U);
+    EXPECT_EQ(reasons(spoiled), reasons(clean));
+    for (const char *planner : {"walker", "spoiler", "wrecker"})
+    {
+        EXPECT_EQ(spoiled.records(planner).size(), 12U);
+        for (const RunRecord &record : spoiled.records(planner))
+            EXPECT_EQ(record.status, PlannerStatus::solved) << planner << ": " << record.reason;
+    }
+}
+
 TEST(Worker, StopsWithItsCampaign)
 {
     Campaign campaign("hostile");

@@ -62,6 +62,40 @@ TEST(Disk, aFolderThatCannotBeWrittenIsRefused)
     EXPECT_THAT(outcome.err, HasSubstr("sealed: the folder cannot be written: Read-only file system"));
 }
 
+TEST(Disk, aPoorFileSystemStillKeepsACampaign)
+{
+    const std::vector<std::pair<std::string, std::string>> lacking = {
+        {"maps", "note: out: this file system has no shared memory: results are kept with a rollback journal"},
+        {"locks", "note: out: this file system has no locks: run one campaign in it at a time"},
+        {"locks maps", "note: out: this file system has no locks"},
+        {"chmod", ""}};
+    for (const auto &[lack, note] : lacking)
+    {
+        SCOPED_TRACE(lack);
+        const Scratch scratch;
+        const std::string rest = "problems: [small_benchmark: [tree, corners]]\nplanners: [push_and_swap]\n"
+                                 "reports: [csv]\n";
+        const auto poorly = [&](const std::vector<std::string> &words)
+        {
+            std::vector<std::string> all = {"env", "LD_PRELOAD=" MRPP_POOR_FILE_SYSTEM, "MRPP_POOR=" + lack,
+                                            MRPP_PROGRAM};
+            all.insert(all.end(), words.begin(), words.end());
+            return Process(all, scratch).wait();
+        };
+        scratch.write("plan.yaml", rest);
+        // What a richer system left behind, in its own mode, is gone on with.
+        ASSERT_EQ(mrppsim({"run", "plan.yaml", "-q", "-o", "out", "--shard", "1/2"}, scratch).code, 0);
+        const Outcome outcome = poorly({"run", "plan.yaml", "-q", "-o", "out"});
+        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        EXPECT_THAT(outcome.err, HasSubstr(note));
+        EXPECT_EQ(parseCsv(scratch.read("out/results.csv")).size(), 3U);
+        const Outcome again = poorly({"run", "plan.yaml", "-q", "-o", "out"});
+        EXPECT_THAT(again.out, HasSubstr("2 runs (0 now, 2 before)")) << again.err;
+        const Outcome report = poorly({"report", "out"});
+        EXPECT_EQ(report.code, 0) << report.err;
+    }
+}
+
 TEST(Why, saysWhichPartOfThePlanChanged)
 {
     const Scratch scratch;

@@ -4,6 +4,11 @@
 
 #include "framework/campaign/RunRecord.h"
 
+#include <cstdlib>
+#include <stdexcept>
+#include <string>
+#include <unistd.h>
+
 #ifndef NO_PLUGIN
 
 namespace
@@ -23,6 +28,18 @@ public:
     }
 };
 
+/// Fails in the way that the variable says.
+[[maybe_unused]] std::optional<double> faulty(const mrpp::Instance &, const mrpp::Solution &)
+{
+    const char *way = std::getenv("MRPP_FAULT");
+    if (way != nullptr && std::string(way) == "abort")
+        std::abort();
+    if (way != nullptr && std::string(way) == "hang")
+        for (;;)
+            ::pause();
+    throw std::runtime_error("no such turn");
+}
+
 std::optional<double> halfLength(const mrpp::Instance &, const mrpp::Solution &solution)
 {
     return static_cast<double>(solution.pathLength()) / 2;
@@ -37,6 +54,9 @@ MRPP_PLUGIN(catalog)
 #else
     catalog.planners.add<Stander>("stander", "solves what is solved already");
     catalog.metrics.push_back({.name = "half_length", .title = "Half the length", .measure = halfLength});
+#ifdef FAULTY_METRICS
+    catalog.metrics.push_back({.name = "turns", .title = "Turns", .measure = faulty});
+#endif
 #endif
 }
 

@@ -79,6 +79,36 @@ TEST(Plugin, isKnownToEveryCommand)
         0);
 }
 
+TEST(Plugin, whoseMetricFailsSpoilsOneCellAndNobodyIsBlamed)
+{
+    const std::vector<std::pair<std::string, std::string>> ways = {
+        {"throw", "metric 'turns' threw: no such turn"},
+        {"abort", "no added metrics: one of them killed by signal 6 (Aborted)"},
+        {"hang", "no added metrics: one of them needed too much time or memory"}};
+    for (const std::string isolation : {"process", "none"})
+        for (const auto &[way, note] : ways)
+        {
+            if (isolation == "none" && way != "throw")
+                continue; // ends the campaign, as it would a debugger's program
+            SCOPED_TRACE(isolation + " " + way);
+            const Scratch scratch;
+            scratch.write("plan.yaml", "problems: [small_benchmark: tree]\nplanners: [push_and_swap]\n"
+                                       "limits: {time: 0.2 s}\nexecution: {isolation: " +
+                                           isolation + "}\nreports: [csv]\n");
+            const Outcome outcome = Process({"env", "MRPP_FAULT=" + way, MRPP_PROGRAM, "run", "plan.yaml", "-o",
+                                             "out", "--plugin", MRPP_FAULTY_PLUGIN},
+                                            scratch)
+                                        .wait();
+            EXPECT_EQ(outcome.code, 0) << outcome.err;
+            const auto records = ResultStore(scratch.path() / "out", ResultStore::Access::read).records();
+            ASSERT_EQ(records.size(), 1U);
+            EXPECT_EQ(records[0].status, PlannerStatus::solved) << records[0].reason;
+            EXPECT_FALSE(records[0].extra.contains("turns"));
+            EXPECT_EQ(records[0].extra.contains("half_length"), way == "throw");
+            EXPECT_EQ(std::get<std::string>(records[0].extra.at("notes")), note);
+        }
+}
+
 TEST(Plugin, isRefusedWithTheReason)
 {
     const Scratch scratch;

@@ -54,6 +54,32 @@ protected:
     fs::path folder_;
 };
 
+TEST_F(File, HasTheRightsThatTheUmaskLeaves)
+{
+    const auto rightsUnder = [this](mode_t mask)
+    {
+        const mode_t before = ::umask(mask);
+        writeFile(folder_ / "x", "x");
+        ::umask(before);
+        return fs::status(folder_ / "x").permissions();
+    };
+    EXPECT_EQ(rightsUnder(077), fs::perms(0600));
+    EXPECT_EQ(rightsUnder(022), fs::perms(0644));
+    EXPECT_EQ(rightsUnder(002), fs::perms(0664));
+}
+
+TEST_F(File, MayHaveTheLongestName)
+{
+    std::string name;
+    for (int i = 0; i < 127; ++i)
+        name += "\u00e9"; // two bytes
+    name += "x";
+    ASSERT_EQ(name.size(), 255U);
+    writeFile(folder_ / name, "x");
+    EXPECT_EQ(readFile(folder_ / name), "x");
+    EXPECT_EQ(filesInFolder(), 1U);
+}
+
 TEST_F(File, IsReadBackByteByByte)
 {
     const std::string bytes("a\0b\r\n\xff", 6);

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "framework/campaign/BenchmarkPlan.h"
+
+namespace mrpp
+{
+
+/// Says on standard error which outside planners' programs cannot be started here: where nothing is run now, they
+/// may still come.
+void noteMissingPrograms(const BenchmarkPlan &plan);
+
+} // namespace mrpp
