@@ -28,9 +28,10 @@ void addCompare(CLI::App &app, Arguments &result)
     CLI::App *command = app.add_subcommand("compare", "Tell two campaigns of one plan apart, with tests");
     command->footer(
         R"(Pairs the runs of the same planner on the same instance: two versions of the program, two machines,
-two settings under one name. Costs are tested by Wilcoxon's signed-rank test, success by McNemar's,
-all with Holm's correction. Ends with 1 where something became worse beyond chance, or where a wrong
-answer or a crash is new. A timeout that the other campaign only just avoided is no change.
+two settings under one name. Says first which settings and limits differ. Copies of an instance are one
+pair. Costs are tested by Wilcoxon's signed-rank test, what was solved or proved by McNemar's, all with
+Holm's correction. Ends with 1 where something became worse beyond chance, or where a wrong answer or a
+crash is new. Timeouts that the other campaign only just avoided are counted, and tested like all others.
 
 Examples:
   mrppsim compare results/before results/now

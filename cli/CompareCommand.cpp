@@ -3,8 +3,11 @@
 #include "cli/Reporting.h"
 #include "framework/campaign/ResultStore.h"
 #include "framework/support/File.h"
+#include "reports/Answer.h"
 #include "reports/CampaignComparison.h"
+#include "reports/CampaignDifferences.h"
 
+#include <algorithm>
 #include <iostream>
 
 namespace mrpp
@@ -13,15 +16,26 @@ namespace mrpp
 namespace
 {
 
-ResultTable tableOf(const std::filesystem::path &folder, Catalog &catalog)
+/// One of the two campaigns.
+struct Side
 {
-    return {campaignPlan(folder, catalog), ResultStore(folder, ResultStore::Access::read).records(), {}};
-}
+    ResultTable table;
+    Provenance provenance;
+    AskedParts asked;
 
-Provenance provenanceOf(const std::filesystem::path &folder)
-{
-    return Provenance::fromJson(readFile(folder / "provenance.json"), folder / "provenance.json");
-}
+    Side(const std::filesystem::path &folder, Catalog &catalog)
+        : Side(folder, catalog, {folder, ResultStore::Access::read})
+    {}
+
+    [[nodiscard]] ComparedCampaign compared() const { return {table.plan(), provenance, asked}; }
+
+private:
+    Side(const std::filesystem::path &folder, Catalog &catalog, const ResultStore &store)
+        : table(campaignPlan(folder, catalog), store.records(), {}),
+          provenance(Provenance::fromJson(readFile(folder / "provenance.json"), folder / "provenance.json")),
+          asked(store.askedParts())
+    {}
+};
 
 void say(const CampaignComparison &comparison, ComparedMeasure::Verdict verdict, const char *title)
 {
@@ -34,31 +48,49 @@ void say(const CampaignComparison &comparison, ComparedMeasure::Verdict verdict,
 
 ExitCode compare(const CompareArguments &arguments, Catalog &catalog)
 {
-    const ResultTable first = tableOf(arguments.first, catalog);
-    const ResultTable second = tableOf(arguments.second, catalog);
+    const Side first(arguments.first, catalog);
+    const Side second(arguments.second, catalog);
+    const std::vector<std::string> differences = campaignDifferences(first.compared(), second.compared());
+    for (const std::string &difference : differences)
+        std::cout << "differs: " << oneLine(difference) << '\n';
     const CampaignComparison comparison =
-        compareCampaigns(first, second, {arguments.timeTolerance, arguments.flappingFrom});
+        compareCampaigns(first.table, second.table, {arguments.timeTolerance, arguments.flappingFrom});
     std::cout << comparison.pairs << " pairs of runs, " << comparison.onlyFirst << " only before, "
               << comparison.onlySecond << " only now, " << comparison.otherInstances
               << " on other instances, " << comparison.flapping << " flapping timeouts\n";
+    if (comparison.pairs == 0)
+        throw InputError(
+            "the two campaigns have no run in common: compare campaigns of the same plan and seed");
+    if (comparison.instances < comparison.pairs)
+        std::cout << comparison.instances
+                  << " pairs are tested: repetitions that are copies of one instance count once\n";
+    if (!comparison.changedEnds.empty())
+    {
+        const auto lost = std::count_if(comparison.changedEnds.begin(), comparison.changedEnds.end(),
+                                        [](const ComparedRun &run)
+                                        {
+                                            return outcomeOf(run.second->status) == Outcome::failed ||
+                                                   outcomeOf(run.second->status) == Outcome::doesNotApply;
+                                        });
+        std::cout << lost << " runs were solved or proved before alone, "
+                  << static_cast<std::ptrdiff_t>(comparison.changedEnds.size()) - lost << " now alone\n";
+    }
     for (const ComparedRun &run : comparison.newlyInvalid)
         std::cout << "defect: "
                   << oneLine(run.second->planner + " on " + run.second->caseId + ": " + run.second->reason)
                   << '\n';
     say(comparison, ComparedMeasure::Verdict::worse, "regression");
     say(comparison, ComparedMeasure::Verdict::better, "improvement");
+    say(comparison, ComparedMeasure::Verdict::unclear, "no clear direction");
     if (!comparison.hasRegression())
         std::cout << "no regression beyond chance\n";
     if (arguments.out)
     {
         writeFile(*arguments.out / "comparison.csv", comparisonCsv(comparison));
         writeFile(*arguments.out / "comparison.pdf",
-                  comparisonPdf(comparison, provenanceOf(arguments.first), provenanceOf(arguments.second)));
+                  comparisonPdf(comparison, differences, first.provenance, second.provenance));
         std::cout << "report: " << (*arguments.out / "comparison.pdf").string() << '\n';
     }
-    if (comparison.pairs == 0)
-        throw InputError(
-            "the two campaigns have no run in common: compare campaigns of the same plan and seed");
     return comparison.hasRegression() ? ExitCode::no : ExitCode::done;
 }
 

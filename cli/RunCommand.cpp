@@ -7,6 +7,7 @@
 #include "cli/ProgressLine.h"
 #include "cli/Reporting.h"
 #include "framework/Benchmark.h"
+#include "framework/campaign/PlannerFactory.h"
 #include "framework/campaign/ResultStore.h"
 #include "framework/campaign/Shards.h"
 #include "framework/campaign/WhyRun.h"
@@ -15,6 +16,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iostream>
 #include <optional>
 #include <set>
@@ -25,7 +27,43 @@ namespace mrpp
 namespace
 {
 
-ExitCode dryRun(const BenchmarkPlan &plan, const std::filesystem::path &folder)
+/// The first few and how many more.
+std::string someOf(const std::vector<std::string> &names)
+{
+    constexpr std::size_t kNamed = 4;
+    std::string text;
+    for (std::size_t i = 0; i < std::min(kNamed, names.size()); ++i)
+        text += (i == 0 ? "" : ", ") + names[i];
+    return names.size() > kNamed ? fmt::format("{} and {} more", text, names.size() - kNamed) : text;
+}
+
+/// What repetitions cannot teach: those of a problem without chance are copies of one instance.
+void sayWhatRepeatsInVain(const BenchmarkPlan &plan, const Catalog &catalog)
+{
+    std::vector<std::string> problems;
+    for (const ProblemPoint &point : plan.points)
+        if (!point.problem->drawsGraph() && !point.problem->drawsInstance())
+            if (const std::string name = point.model + "/" + point.name;
+                std::find(problems.begin(), problems.end(), name) == problems.end())
+                problems.push_back(name);
+    if (plan.repetitions < 2 || problems.empty())
+        return;
+    std::vector<std::string> planners;
+    for (const Configured &planner : plan.planners)
+        if (!createPlanner(catalog, planner)->usesChance())
+            planners.push_back(planner.name);
+    std::string text =
+        fmt::format("note: there is no chance in {}: {} repetitions are copies of one instance, which "
+                    "count once in reports",
+                    someOf(problems), plan.repetitions);
+    if (!planners.empty())
+        text += fmt::format(
+            "; {}, without chance too, will give the same answer to each of them (only times may differ)",
+            someOf(planners));
+    std::cout << oneLine(text) << '\n';
+}
+
+ExitCode dryRun(const BenchmarkPlan &plan, const std::filesystem::path &folder, const Catalog &catalog)
 {
     const std::vector<RunSpec> specs = expand(plan, MissingInput::tolerate);
     std::set<std::filesystem::path> missing;
@@ -54,6 +92,7 @@ ExitCode dryRun(const BenchmarkPlan &plan, const std::filesystem::path &folder)
             line.append(", ").append(name).append("=").append(value);
         std::cout << "planner " << oneLine(line) << '\n';
     }
+    sayWhatRepeatsInVain(plan, catalog);
     std::set<std::string> printed;
     for (const RunSpec &spec : specs)
         if (printed.insert(spec.caseId).second)
@@ -182,7 +221,7 @@ ExitCode run(const RunArguments &arguments, Catalog &catalog)
     const std::filesystem::path folder =
         arguments.folder.value_or(std::filesystem::path("results") / plan.campaign);
     if (arguments.dryRun)
-        return dryRun(plan, folder);
+        return dryRun(plan, folder, catalog);
     if (arguments.why)
         return sayWhy(plan, arguments, folder);
 

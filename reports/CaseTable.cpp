@@ -1,5 +1,7 @@
 #include "reports/CaseTable.h"
 
+#include "reports/Aggregate.h"
+
 #include <algorithm>
 #include <map>
 #include <tuple>
@@ -8,14 +10,37 @@
 namespace mrpp
 {
 
+namespace
+{
+
+/// Those that all of the planners answered.
+std::vector<const Case *> answeredByAll(const CaseTable &table, const std::vector<std::vector<char>> &has,
+                                        const std::vector<std::size_t> &planners)
+{
+    std::vector<const Case *> cases;
+    for (std::size_t i = 0; i < table.cases.size(); ++i)
+        if (std::all_of(planners.begin(), planners.end(), [&](std::size_t p) { return has[p][i] != 0; }))
+            cases.push_back(&table.cases[i]);
+    return cases;
+}
+
+} // namespace
+
 const RunRecord &Case::any() const
 {
-    return **std::find_if(runs.begin(), runs.end(), [](const RunRecord *run) { return run != nullptr; });
+    return std::find_if(answers.begin(), answers.end(), [](const Answer &one) { return one.isFinished(); })
+        ->first();
 }
 
 bool Case::isFinished() const
 {
-    return std::find(runs.begin(), runs.end(), nullptr) == runs.end();
+    return std::all_of(answers.begin(), answers.end(), [](const Answer &one) { return one.isFinished(); });
+}
+
+bool Case::isHopeless() const
+{
+    return std::all_of(answers.begin(), answers.end(),
+                       [](const Answer &one) { return !one.isFinished() || one.unsolvable(); });
 }
 
 std::vector<CaseTable> CaseTable::byPoint() const
@@ -28,7 +53,7 @@ std::vector<CaseTable> CaseTable::byPoint() const
         const auto [position, isNew] =
             positions.try_emplace({run.model, run.problem, run.sweepVariable, run.sweepValue}, points.size());
         if (isNew)
-            points.push_back({planners, {}});
+            points.push_back({planners, rules, {}});
         points[position->second].cases.push_back(one);
     }
     return points;
@@ -36,9 +61,21 @@ std::vector<CaseTable> CaseTable::byPoint() const
 
 CaseTable CaseTable::finished() const
 {
-    CaseTable table{planners, cases};
+    CaseTable table = *this;
     std::erase_if(table.cases, [](const Case &one) { return !one.isFinished(); });
     return table;
+}
+
+CaseTable CaseTable::solvable() const
+{
+    CaseTable table = *this;
+    std::erase_if(table.cases, [](const Case &one) { return one.isHopeless(); });
+    return table;
+}
+
+std::string CaseTable::name(std::size_t planner) const
+{
+    return withRule(planners[planner], rules[planner]);
 }
 
 CaseTable caseTable(const ResultTable &results)
@@ -49,21 +86,64 @@ CaseTable caseTable(const ResultTable &results)
     {
         columns.emplace(planner.name, table.planners.size());
         table.planners.push_back(planner.name);
+        table.rules.emplace_back(toString(planner.motion));
     }
-    std::unordered_map<std::string, std::size_t> rows;
+    InstanceNumbers instances(results.records());
+    std::unordered_map<std::size_t, std::size_t> rows; // by instance
     for (const RunRecord &run : results.records())
     {
-        const auto [row, isNew] = rows.try_emplace(run.caseId, table.cases.size());
+        const auto [row, isNew] = rows.try_emplace(instances.of(run), table.cases.size());
         if (isNew)
-            table.cases.push_back({std::vector<const RunRecord *>(table.planners.size())});
-        table.cases[row->second].runs[columns.at(run.planner)] = &run;
+            table.cases.push_back({std::vector<Answer>(table.planners.size())});
+        table.cases[row->second].answers[columns.at(run.planner)].add(run);
     }
     return table;
 }
 
-std::optional<double> costOf(const RunRecord *run, std::string_view column)
+CommonCases commonCases(const CaseTable &table, std::string_view column, std::string_view bound)
 {
-    return run != nullptr && run->solved() ? numericValue(*run, column) : std::nullopt;
+    std::vector<std::vector<char>> has(table.planners.size()); // of each planner: the cases that it answered
+    std::vector<std::size_t> solved(table.planners.size());
+    for (std::size_t p = 0; p < table.planners.size(); ++p)
+        for (const Case &one : table.cases)
+        {
+            const auto least = bound.empty() ? 1 : one.answers[p].cost(bound).value_or(0);
+            has[p].push_back(least > 0 && one.answers[p].cost(column) ? 1 : 0);
+            solved[p] += static_cast<std::size_t>(has[p].back());
+        }
+    CommonCases common;
+    const std::size_t most = solved.empty() ? 0 : *std::max_element(solved.begin(), solved.end());
+    for (std::size_t p = 0; p < table.planners.size(); ++p)
+        (solved[p] > 0 && 2 * solved[p] >= most ? common.planners : common.leftOut).push_back(p);
+    common.cases = answeredByAll(table, has, common.planners);
+    while (common.planners.size() > 1 && common.cases.size() < kLeastInCommon)
+    {
+        std::size_t worst = 0;
+        std::vector<const Case *> best;
+        for (std::size_t i = 0; i < common.planners.size(); ++i)
+        {
+            std::vector<std::size_t> others = common.planners;
+            others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
+            std::vector<const Case *> cases = answeredByAll(table, has, others);
+            if (cases.size() < best.size() || (cases.size() == best.size() && i > 0 &&
+                                               solved[common.planners[i]] > solved[common.planners[worst]]))
+                continue;
+            worst = i;
+            best = std::move(cases);
+        }
+        common.leftOut.push_back(common.planners[worst]);
+        common.planners.erase(common.planners.begin() + static_cast<std::ptrdiff_t>(worst));
+        common.cases = std::move(best);
+    }
+    if (common.planners.size() == 1 && table.planners.size() > 1) // nobody to be compared with
+    {
+        common.leftOut.push_back(common.planners.front());
+        common.planners.clear();
+    }
+    if (common.planners.empty())
+        common.cases.clear();
+    std::sort(common.leftOut.begin(), common.leftOut.end());
+    return common;
 }
 
 } // namespace mrpp

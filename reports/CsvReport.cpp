@@ -2,12 +2,13 @@
 
 #include "framework/support/Config.h"
 #include "framework/support/File.h"
+#include "framework/support/Proportion.h"
 #include "reports/Aggregate.h"
-#include "reports/CaseTable.h"
 #include "reports/drawing/Csv.h"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <set>
 #include <unordered_map>
 
@@ -21,43 +22,60 @@ constexpr std::array<std::string_view, 8> kSummarized = {
     "time",         "path_length", "optimized_path_length", "makespan", "optimized_makespan", "actions",
     "sum_of_costs", "memory"};
 
-constexpr std::array<PlannerStatus, 10> kFailures = {PlannerStatus::timeout,    PlannerStatus::memory_limit,
-                                                     PlannerStatus::crash,      PlannerStatus::invalid,
-                                                     PlannerStatus::gave_up,    PlannerStatus::partial,
-                                                     PlannerStatus::infeasible, PlannerStatus::unsupported,
-                                                     PlannerStatus::aborted,    PlannerStatus::unknown};
+constexpr std::array<PlannerStatus, 10> kOtherEnds = {PlannerStatus::timeout,    PlannerStatus::memory_limit,
+                                                      PlannerStatus::crash,      PlannerStatus::invalid,
+                                                      PlannerStatus::gave_up,    PlannerStatus::partial,
+                                                      PlannerStatus::infeasible, PlannerStatus::unsupported,
+                                                      PlannerStatus::aborted,    PlannerStatus::unknown};
 
 constexpr std::array<std::string_view, 3> kCompared = {"time", "path_length", "makespan"};
 
-/// The least cost of any planner on each case.
+/// The least cost of any planner on each instance.
 class BestCosts
 {
 public:
-    BestCosts(const std::vector<RunRecord> &records, std::string_view column) : column_(column)
+    BestCosts(const std::vector<RunGroup> &groups, InstanceNumbers &instances, std::string_view column)
+        : instances_(instances), column_(column)
     {
-        for (const RunRecord &run : records)
-            if (const auto cost = costOf(&run, column))
-            {
-                const auto [best, isNew] = bests_.try_emplace(run.caseId, *cost);
-                best->second = std::min(best->second, *cost);
-            }
+        for (const RunGroup &group : groups)
+            for (const Answer &answer : group.answers)
+                if (const auto cost = answer.cost(column))
+                {
+                    const auto [best, isNew] = bests_.try_emplace(instances_.of(answer.first()), *cost);
+                    best->second = std::min(best->second, *cost);
+                }
     }
 
-    /// Of the solved runs' costs to the least ones, where these are above 0.
+    /// Of the group's costs to the least ones, where these are above 0; over the instances that
+    /// RunGroup::cost() is over.
     [[nodiscard]] std::optional<Quartiles> ratios(const RunGroup &group) const
     {
         std::vector<double> values;
-        for (const RunRecord *run : group.runs)
-            if (const auto cost = costOf(run, column_))
-                if (const double best = bests_.at(run->caseId); best > 0)
-                    values.push_back(*cost / best);
-        return quartiles(std::move(values));
+        for (std::size_t i = 0; i < group.answers.size(); ++i)
+        {
+            const Answer &answer = group.answers[i];
+            const auto best = bests_.find(instances_.of(answer.first()));
+            if (group.isCompared[i] == 0 || best == bests_.end() || best->second <= 0)
+                continue;
+            if (!answer.solved())
+                values.push_back(kNoAnswer);
+            else if (const auto cost = answer.cost(column_))
+                values.push_back(*cost / best->second);
+        }
+        return censoredQuartiles(std::move(values));
     }
 
 private:
+    InstanceNumbers &instances_;
     std::string_view column_;
-    std::unordered_map<std::string_view, double> bests_;
+    std::unordered_map<std::size_t, double> bests_; // by instance
 };
+
+/// A cell for a number; empty where there is none.
+std::string cell(std::optional<double> value)
+{
+    return value && std::isfinite(*value) ? formatNumber(*value) : std::string();
+}
 
 } // namespace
 
@@ -90,51 +108,62 @@ std::string resultsCsv(const std::vector<RunRecord> &records)
 
 std::string summaryCsv(const std::vector<RunRecord> &records, double timeLimit)
 {
+    const std::vector<RunGroup> groups = groupRuns(records);
+    InstanceNumbers instances(records);
     std::vector<BestCosts> bests;
     for (const std::string_view metric : kCompared)
-        bests.emplace_back(records, metric);
+        bests.emplace_back(groups, instances, metric);
     CsvTable table;
-    for (const char *name :
-         {"model", "problem", "sweep_variable", "sweep_value", "planner", "runs", "solved", "success_rate"})
+    for (const char *name : {"model", "problem", "sweep_variable", "sweep_value", "planner", "rule", "runs",
+                             "instances", "solved", "proved", "does_not_apply", "failed", "solvable",
+                             "success_rate", "success_low", "success_high"})
         table.cell(name);
     for (std::string_view metric : kSummarized)
         for (const char *suffix : {"_median", "_q1", "_q3", "_n"})
             table.cell(std::string(metric) + suffix);
-    for (PlannerStatus status : kFailures)
+    for (PlannerStatus status : kOtherEnds)
         table.cell(toString(status));
-    for (const char *name : {"solvable", "time_par2", "time_par10"})
+    for (const char *name : {"time_par2", "time_par10"})
         table.cell(name);
     for (const std::string_view metric : kCompared)
         table.cell(std::string(metric) + "_to_best");
     table.endRow();
 
-    for (const RunGroup &group : groupRuns(records))
+    for (const RunGroup &group : groups)
     {
         table.cell(group.model);
         table.cell(group.problem);
         table.cell(group.sweepVariable);
-        table.cell(group.sweepValue ? formatNumber(*group.sweepValue) : std::string());
+        table.cell(cell(group.sweepValue));
         table.cell(group.planner);
+        table.cell(group.rule);
         table.cell(std::to_string(group.runs.size()));
-        table.cell(std::to_string(group.solved()));
-        table.cell(formatNumber(group.successRate()));
+        table.cell(std::to_string(group.answers.size()));
+        for (const Outcome outcome :
+             {Outcome::solved, Outcome::proved, Outcome::doesNotApply, Outcome::failed})
+            table.cell(std::to_string(group.count(outcome)));
+        table.cell(std::to_string(group.counted()));
+        const auto rate = group.successRate();
+        const Interval interval = wilsonInterval(group.solved(), group.counted());
+        table.cell(cell(rate));
+        table.cell(rate ? formatNumber(interval.low) : std::string());
+        table.cell(rate ? formatNumber(interval.high) : std::string());
         for (std::string_view metric : kSummarized)
         {
-            const auto summary = group.overSolved(metric);
-            table.cell(summary ? formatNumber(summary->median) : std::string());
-            table.cell(summary ? formatNumber(summary->q1) : std::string());
-            table.cell(summary ? formatNumber(summary->q3) : std::string());
-            table.cell(std::to_string(summary ? summary->count : 0));
+            const auto summary = group.cost(metric);
+            table.cell(summary ? cell(summary->median) : std::string());
+            table.cell(summary ? cell(summary->q1) : std::string());
+            table.cell(summary ? cell(summary->q3) : std::string());
+            table.cell(std::to_string(group.costs(metric).size()));
         }
-        for (PlannerStatus status : kFailures)
+        for (PlannerStatus status : kOtherEnds)
             table.cell(std::to_string(group.count(status)));
-        table.cell(std::to_string(group.solvable()));
         for (const double factor : {2, 10})
-            table.cell(formatNumber(group.penalizedTime(timeLimit, factor)));
+            table.cell(cell(group.penalizedTime(timeLimit, factor)));
         for (const BestCosts &best : bests)
         {
             const auto ratios = best.ratios(group);
-            table.cell(ratios ? formatNumber(ratios->median) : std::string());
+            table.cell(ratios ? cell(ratios->median) : std::string());
         }
         table.endRow();
     }

@@ -22,10 +22,10 @@ public:
 /// results.csv: the columns of runColumns(), then whatever columns events added, sorted by name.
 [[nodiscard]] std::string resultsCsv(const std::vector<RunRecord> &records);
 
-/// summary.csv: how many runs were solved; for each measure its quartiles over the solved runs and, as
-/// NAME_n, of how many runs these are; how many runs ended in each other way; penalized average times; and as
-/// NAME_to_best the median over the solved runs of cost / least cost of any planner on the same case.
-/// \param timeLimit seconds
+/// summary.csv: instances (copies count once) by outcome; success with Wilson's interval over those that have
+/// a solution and to which the planner applies; for each measure RunGroup::cost() and, as NAME_n, over how
+/// many instances; how many instances ended in each other way; penalized average times; and as NAME_to_best
+/// the median of cost / least cost of any planner on the same instance. \param timeLimit seconds
 [[nodiscard]] std::string summaryCsv(const std::vector<RunRecord> &records, double timeLimit);
 
 } // namespace mrpp

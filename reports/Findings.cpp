@@ -2,9 +2,11 @@
 
 #include "framework/support/Proportion.h"
 #include "framework/support/Quantiles.h"
+#include "reports/Aggregate.h"
 #include "reports/drawing/Text.h"
 
 #include <array>
+#include <cmath>
 #include <fmt/format.h>
 #include <map>
 
@@ -57,8 +59,8 @@ CostFinding compareCosts(const std::vector<CaseTable> &points, std::size_t a, st
         std::vector<double> ownSecond;
         for (const Case &one : point.cases)
         {
-            const auto x = costOf(one.runs[a], column);
-            const auto y = costOf(one.runs[b], column);
+            const auto x = one.answers[a].cost(column);
+            const auto y = one.answers[b].cost(column);
             if (!x || !y)
                 continue;
             ownFirst.push_back(*x);
@@ -78,41 +80,59 @@ CostFinding compareCosts(const std::vector<CaseTable> &points, std::size_t a, st
     finding.column = column;
     finding.points = pointCount;
     finding.comparison = comparePairs(first, second);
-    const PairedComparison &forward = finding.comparison;
-    const bool isTurned =
-        forward.medianRatio != 1 ? forward.medianRatio > 1 : forward.secondLess > forward.firstLess;
+    const bool isTurned = finding.comparison.rankBiserial() < 0;
     if (isTurned)
         finding.comparison = comparePairs(second, first);
-    finding.first = points.front().planners[isTurned ? b : a];
-    finding.second = points.front().planners[isTurned ? a : b];
+    const CaseTable &table = points.front();
+    finding.first = table.planners[isTurned ? b : a];
+    finding.second = table.planners[isTurned ? a : b];
+    finding.firstRule = table.rules[isTurned ? b : a];
+    finding.secondRule = table.rules[isTurned ? a : b];
     finding.pointsLess = isTurned ? secondWins : firstWins;
     return finding;
 }
 
-SuccessFinding compareSuccess(const CaseTable &cases, std::size_t a, std::size_t b)
+/// Nothing where no instance is of that kind.
+std::optional<SuccessFinding> compareSuccess(const CaseTable &cases, std::size_t a, std::size_t b,
+                                             SuccessFinding::Kind kind)
 {
+    const bool proofs = kind == SuccessFinding::Kind::proved;
+    const auto concerns = [proofs](const Answer &answer)
+    { return answer.isFinished() && (proofs ? answer.unsolvable() : answer.counts()); };
+    const auto answered = [proofs](const Answer &answer)
+    { return proofs ? answer.outcome() == Outcome::proved : answer.solved(); };
     SuccessFinding finding;
+    finding.kind = kind;
     for (const Case &one : cases.cases)
     {
-        if (one.runs[a] == nullptr || one.runs[b] == nullptr)
+        if (!concerns(one.answers[a]) || !concerns(one.answers[b]))
             continue;
         ++finding.cases;
-        const bool x = one.runs[a]->solved();
-        const bool y = one.runs[b]->solved();
-        finding.firstSolved += x ? 1 : 0;
-        finding.secondSolved += y ? 1 : 0;
+        const bool x = answered(one.answers[a]);
+        const bool y = answered(one.answers[b]);
+        finding.firstAnswered += x ? 1 : 0;
+        finding.secondAnswered += y ? 1 : 0;
         finding.onlyFirst += x && !y ? 1 : 0;
         finding.onlySecond += y && !x ? 1 : 0;
     }
-    finding.first = cases.planners[a];
-    finding.second = cases.planners[b];
-    if (finding.onlySecond > finding.onlyFirst)
+    if (finding.cases == 0)
+        return std::nullopt;
+    const bool isTurned = finding.onlySecond > finding.onlyFirst;
+    finding.first = cases.planners[isTurned ? b : a];
+    finding.second = cases.planners[isTurned ? a : b];
+    finding.firstRule = cases.rules[isTurned ? b : a];
+    finding.secondRule = cases.rules[isTurned ? a : b];
+    if (isTurned)
     {
-        std::swap(finding.first, finding.second);
-        std::swap(finding.firstSolved, finding.secondSolved);
+        std::swap(finding.firstAnswered, finding.secondAnswered);
         std::swap(finding.onlyFirst, finding.onlySecond);
     }
-    finding.p = signTest(finding.onlyFirst, finding.onlySecond);
+    const std::size_t discordant = finding.onlyFirst + finding.onlySecond;
+    if (discordant >= kLeastForSignTest)
+        finding.p = signTest(finding.onlyFirst, finding.onlySecond);
+    else
+        finding.refusal = fmt::format("only {} of {} by one of them alone; a test needs {}", discordant,
+                                      counted(finding.cases, "instance"), kLeastForSignTest);
     return finding;
 }
 
@@ -120,24 +140,120 @@ void correct(Findings &findings)
 {
     std::vector<double> p;
     for (const SuccessFinding &finding : findings.success)
-        p.push_back(finding.p);
+        if (finding.p)
+            p.push_back(*finding.p);
     std::vector<double> adjusted = holmAdjusted(p);
-    for (std::size_t i = 0; i < adjusted.size(); ++i)
-        findings.success[i].p = adjusted[i];
+    std::size_t next = 0;
+    for (SuccessFinding &finding : findings.success)
+        if (finding.p)
+            finding.p = adjusted[next++];
     p.clear();
     for (const CostFinding &finding : findings.costs)
         if (finding.comparison.test.p)
             p.push_back(*finding.comparison.test.p);
     adjusted = holmAdjusted(p);
-    std::size_t next = 0;
+    next = 0;
     for (CostFinding &finding : findings.costs)
         if (finding.comparison.test.p)
             finding.p = adjusted[next++];
 }
 
-std::string pairText(const std::string &first, const std::string &second)
+template <class Finding>
+std::string firstName(const Finding &finding)
 {
-    return oneLine(first) + " and " + oneLine(second);
+    return withRule(oneLine(finding.first), finding.firstRule);
+}
+template <class Finding>
+std::string secondName(const Finding &finding)
+{
+    return withRule(oneLine(finding.second), finding.secondRule);
+}
+
+/// "a and b; c and d".
+class PairList
+{
+public:
+    template <class Finding>
+    void add(const Finding &finding, const std::string &remark = "")
+    {
+        text_ += (text_.empty() ? "" : "; ") + firstName(finding) + " and " + secondName(finding) +
+                 (remark.empty() ? "" : " (" + remark + ")");
+    }
+    /// \param words with {} for the list
+    void sayIn(std::vector<std::string> &sentences, const std::string &words) const
+    {
+        if (!text_.empty())
+            sentences.push_back(fmt::format(fmt::runtime(words), text_));
+    }
+
+private:
+    std::string text_;
+};
+
+void saySuccess(std::vector<std::string> &list, const std::vector<SuccessFinding> &findings,
+                SuccessFinding::Kind kind, const std::string &what)
+{
+    PairList same;
+    PairList untested;
+    for (const SuccessFinding &finding : findings)
+    {
+        if (finding.kind != kind)
+            continue;
+        if (finding.isSignificant())
+            list.push_back(finding.sentence());
+        else if (finding.p)
+            same.add(finding, pText(*finding.p));
+        else
+            untested.add(finding, finding.refusal);
+    }
+    same.sayIn(list, "No difference in what they " + what + " is shown between {}.");
+    untested.sayIn(list, "Not tested for what they " + what + ": {}.");
+}
+
+void sayCosts(std::vector<std::string> &list, const std::vector<CostFinding> &findings,
+              const Measure &measure)
+{
+    PairList small;
+    PairList same;
+    PairList untested;
+    for (const CostFinding &finding : findings)
+    {
+        if (finding.column != measure.column)
+            continue;
+        const PairedComparison &comparison = finding.comparison;
+        if (finding.isSignificant() && finding.isClear() && finding.isSmall())
+            small.add(finding, fmt::format("median ratio {}, {}", ratioText(comparison.medianRatio),
+                                           pText(*finding.p)));
+        else if (finding.isSignificant())
+            list.push_back(finding.sentence());
+        else if (finding.p)
+            same.add(finding, pText(*finding.p));
+        else
+            untested.add(finding, comparison.test.refusal);
+    }
+    small.sayIn(list, fmt::format("Differences in {} that are more than chance, but less than a tenth: {{}}.",
+                                  measure.about));
+    same.sayIn(list, fmt::format("No difference in {} is shown between {{}}.", measure.about));
+    untested.sayIn(list, fmt::format("Not tested for {}: {{}}.", measure.about));
+}
+
+std::string caveatOf(const CaseTable &cases)
+{
+    std::map<std::string, std::string> planners; // by rule
+    for (std::size_t p = 0; p < cases.planners.size(); ++p)
+    {
+        std::string &list = planners[cases.rules[p]];
+        list += (list.empty() ? "" : ", ") + oneLine(cases.planners[p]);
+    }
+    if (planners.size() < 2)
+        return "";
+    std::string text;
+    for (const auto &[rule, list] : planners)
+        text += (text.empty() ? "" : "; ") + rule + ": " + list;
+    return "The planners' solutions obey different motion rules (" + text +
+           "): a wider rule allows moves that a narrower one forbids, so differences between them are of "
+           "rule and "
+           "planner together.";
 }
 
 } // namespace
@@ -147,62 +263,84 @@ std::string pText(double p)
     return p < 0.001 ? "p < 0.001" : fmt::format("p = {:.3f}", p);
 }
 
+std::string ratioText(double ratio)
+{
+    if (std::isinf(ratio))
+        return "∞";
+    if (ratio == 1 || ratio == 0)
+        return fmt::format("{:.0f}", ratio);
+    constexpr int kMostDecimals = 9;
+    const double distance = std::min(ratio, std::abs(ratio - 1));
+    for (int decimals = 2; decimals < kMostDecimals; ++decimals)
+        if (distance >= std::pow(10.0, -decimals))
+            return fmt::format("{:.{}f}", ratio, decimals);
+    return fmt::format("{:.3g}", ratio);
+}
+
+bool CostFinding::isClear() const
+{
+    using Direction = PairedComparison::Direction;
+    return comparison.direction() == Direction::first || comparison.direction() == Direction::second;
+}
+
+bool CostFinding::isSmall() const
+{
+    return column == "time" && comparison.medianRatio > 1 / kLeastTimeRatio &&
+           comparison.medianRatio < kLeastTimeRatio;
+}
+
 std::string CostFinding::sentence() const
 {
-    const std::string interval = comparison.ratioInterval
-                                     ? fmt::format(", 95 % CI {:.2f}–{:.2f}", comparison.ratioInterval->low,
-                                                   comparison.ratioInterval->high)
-                                     : fmt::format(", no interval of {} pairs", comparison.pairs);
-    return fmt::format(
-        "{} {} {} on {} of {}, median ratio {:.2f}{} ({} that both solved, fewer on {}, more on {}; "
-        "Wilcoxon signed-rank {}, Holm-corrected; A12 = {:.2f}).",
-        oneLine(first), measureOf(column).less, oneLine(second), pointsLess, counted(points, "point"),
-        comparison.medianRatio, interval, counted(comparison.pairs, "case"), comparison.firstLess,
-        comparison.secondLess, pText(p.value_or(1)), comparison.a12);
+    const std::string interval =
+        comparison.ratioInterval ? fmt::format(", 95 % CI {}–{}", ratioText(comparison.ratioInterval->low),
+                                               ratioText(comparison.ratioInterval->high))
+                                 : fmt::format(", no interval of {} pairs", comparison.pairs);
+    const std::string counts =
+        fmt::format("{} that both solved, less on {}, more on {}", counted(comparison.pairs, "instance"),
+                    comparison.firstLess, comparison.secondLess);
+    const std::string test = fmt::format("Wilcoxon signed-rank {}, Holm-corrected", pText(p.value_or(1)));
+    if (!isClear())
+        return fmt::format(
+            "{} and {} differ in {} without a clear direction: the signed ranks are in favour of the "
+            "first (rank-biserial correlation {:.2f}), but its median ratio to the second is {}{} ({}; "
+            "{}).",
+            firstName(*this), secondName(*this), measureOf(column).about, comparison.rankBiserial(),
+            ratioText(comparison.medianRatio), interval, counts, test);
+    return fmt::format("{} {} {} on {} of {}, median ratio {}{} ({}; {}; rank-biserial correlation {:.2f}).",
+                       firstName(*this), measureOf(column).less, secondName(*this), pointsLess,
+                       counted(points, "point"), ratioText(comparison.medianRatio), interval, counts, test,
+                       comparison.rankBiserial());
 }
 
 std::string SuccessFinding::sentence() const
 {
+    const std::string test =
+        fmt::format("Wilson intervals; McNemar exact {}, Holm-corrected", pText(p.value_or(1)));
+    const std::string one = firstName(*this);
+    const std::string other = secondName(*this);
+    const std::string answered =
+        fmt::format("{} against {}", percentText(firstAnswered, cases), percentText(secondAnswered, cases));
+    if (kind == Kind::proved)
+        return fmt::format(
+            "{} proves more instances unsolvable than {}: {} that {} does not, against {} the other way; "
+            "{} of {} without a solution ({}).",
+            one, other, onlyFirst, other, onlySecond, answered, counted(cases, "instance"), test);
     return fmt::format(
-        "{} solves more than {}: {} that {} does not, against {} the other way; {} against {} of {} "
-        "(Wilson intervals; McNemar exact {}, Holm-corrected).",
-        oneLine(first), oneLine(second), counted(onlyFirst, "case"), oneLine(second), onlySecond,
-        percentText(firstSolved, cases), percentText(secondSolved, cases), counted(cases, "case"), pText(p));
+        "{} solves more than {}: {} that {} does not, against {} the other way; {} of {} that have a "
+        "solution and to which both apply ({}).",
+        one, other, counted(onlyFirst, "instance"), other, onlySecond, answered, counted(cases, "instance"),
+        test);
 }
 
 std::vector<std::string> Findings::sentences() const
 {
     std::vector<std::string> list;
-    std::string same;
-    for (const SuccessFinding &finding : success)
-        if (finding.isSignificant())
-            list.push_back(finding.sentence());
-        else
-            same += (same.empty() ? "" : "; ") + pairText(finding.first, finding.second);
-    if (!same.empty())
-        list.push_back("No difference in what they solve is shown between " + same + ".");
+    if (!caveat.empty())
+        list.push_back(caveat);
+    saySuccess(list, success, SuccessFinding::Kind::solved, "solve");
+    saySuccess(list, success, SuccessFinding::Kind::proved, "prove unsolvable");
     for (const Measure &measure : kMeasures)
-    {
-        same.clear();
-        std::string untested;
-        for (const CostFinding &finding : costs)
-        {
-            if (finding.column != measure.column)
-                continue;
-            const std::string pair = pairText(finding.first, finding.second);
-            if (finding.isSignificant())
-                list.push_back(finding.sentence());
-            else if (finding.p)
-                same += fmt::format("{}{} ({})", same.empty() ? "" : "; ", pair, pText(*finding.p));
-            else
-                untested += fmt::format("{}{} ({})", untested.empty() ? "" : "; ", pair,
-                                        finding.comparison.test.refusal);
-        }
-        if (!same.empty())
-            list.push_back(fmt::format("No difference in {} is shown between {}.", measure.about, same));
-        if (!untested.empty())
-            list.push_back(fmt::format("Not tested for {}: {}.", measure.about, untested));
-    }
+        sayCosts(list, costs, measure);
     return list;
 }
 
@@ -210,12 +348,14 @@ Findings findingsOf(const CaseTable &cases)
 {
     Findings findings;
     const std::vector<CaseTable> points = cases.byPoint();
-    if (points.empty())
+    if (points.empty() || cases.planners.size() < 2)
         return findings;
-    for (std::size_t a = 0; a < cases.planners.size(); ++a)
-        for (std::size_t b = a + 1; b < cases.planners.size(); ++b)
-            if (SuccessFinding finding = compareSuccess(cases, a, b); finding.cases > 0)
-                findings.success.push_back(std::move(finding));
+    findings.caveat = caveatOf(cases);
+    for (const SuccessFinding::Kind kind : {SuccessFinding::Kind::solved, SuccessFinding::Kind::proved})
+        for (std::size_t a = 0; a < cases.planners.size(); ++a)
+            for (std::size_t b = a + 1; b < cases.planners.size(); ++b)
+                if (auto finding = compareSuccess(cases, a, b, kind))
+                    findings.success.push_back(std::move(*finding));
     for (const Measure &measure : kMeasures)
         for (std::size_t a = 0; a < cases.planners.size(); ++a)
             for (std::size_t b = a + 1; b < cases.planners.size(); ++b)

@@ -1,7 +1,8 @@
 #include "reports/KeyFacts.h"
 
 #include "framework/PlannerStatus.h"
-#include "reports/Aggregate.h"
+#include "framework/support/Quantiles.h"
+#include "reports/CaseTable.h"
 #include "reports/drawing/Text.h"
 
 #include <algorithm>
@@ -16,9 +17,6 @@ namespace
 
 constexpr std::size_t kNamedPlanners = 6;
 
-/// The runs on one instance, one of each planner.
-using Cases = std::map<std::string, std::vector<const RunRecord *>>;
-
 /// "a", "a and b", "a, b and c"; of many the first few and how many more.
 std::string listed(const std::vector<std::string> &items)
 {
@@ -31,7 +29,7 @@ std::string listed(const std::vector<std::string> &items)
     return text;
 }
 
-std::string howRunsEnded(const ResultTable &results)
+std::string howRunsEnded(const ResultTable &results, const CaseTable &cases)
 {
     std::map<PlannerStatus, std::size_t> ends;
     for (const RunRecord &run : results.records())
@@ -40,8 +38,9 @@ std::string howRunsEnded(const ResultTable &results)
     for (const auto &[status, count] : ends)
         if (status != PlannerStatus::solved)
             others.push_back(fmt::format("{} {}", count, spaced(toString(status))));
-    std::string text = fmt::format("Of {}, {} solved", counted(results.records().size(), "finished run"),
-                                   ends[PlannerStatus::solved]);
+    std::string text =
+        fmt::format("Of {} on {}, {} solved", counted(results.records().size(), "finished run"),
+                    counted(cases.cases.size(), "distinct instance"), ends[PlannerStatus::solved]);
     text += others.empty() ? "." : "; the others: " + fmt::format("{}.", fmt::join(others, ", "));
     const auto unsolvable = static_cast<std::size_t>(
         std::ranges::count_if(results.records(), [](const RunRecord &run) { return run.unsolvable(); }));
@@ -54,72 +53,102 @@ std::string howRunsEnded(const ResultTable &results)
     return text;
 }
 
-/// \param cases that every planner has finished
-std::string whoSolvedMost(const std::vector<std::string> &planners, const Cases &cases)
+/// What each planner answered, of those instances alone that every planner has finished.
+struct Answered
 {
-    if (cases.empty())
-        return "No case was finished by every planner, so their success cannot be compared.";
-    std::map<std::string, std::size_t> solved;
-    for (const auto &[name, runs] : cases)
-        for (const RunRecord *run : runs)
-            solved[run->planner] += run->solved() ? 1 : 0;
-    std::size_t most = 0;
-    for (const auto &[planner, count] : solved)
-        most = std::max(most, count);
-    if (planners.size() == 1)
-        return fmt::format("{} solved {} of {}.", oneLine(planners.front()), most,
-                           counted(cases.size(), "case"));
-    if (most == 0)
-        return fmt::format("No planner solved any of the {} that all finished.",
-                           counted(cases.size(), "case"));
-    std::vector<std::string> winners;
-    for (const std::string &planner : planners)
-        if (solved[planner] == most)
-            winners.push_back(oneLine(planner));
-    if (winners.size() == planners.size())
-        return fmt::format("All planners solved equally many of the {} that all finished: {} each.",
-                           counted(cases.size(), "case"), most);
-    return fmt::format("Most of the {} that all planners finished {} solved by {}: {}{}.",
-                       counted(cases.size(), "case"), "were", listed(winners), most,
-                       winners.size() > 1 ? " each" : "");
+    std::size_t solved = 0;
+    std::size_t counted = 0; ///< that it could have solved: see Answer::counts()
+    std::size_t proved = 0;
+    std::size_t unsolvable = 0;
+};
+
+Answered answeredBy(std::size_t planner, const CaseTable &finished)
+{
+    Answered answered;
+    for (const Case &one : finished.cases)
+    {
+        const Answer &answer = one.answers[planner];
+        answered.solved += answer.solved() ? 1 : 0;
+        answered.counted += answer.counts() ? 1 : 0;
+        answered.proved += answer.outcome() == Outcome::proved ? 1 : 0;
+        answered.unsolvable += answer.unsolvable() ? 1 : 0;
+    }
+    return answered;
 }
 
-/// \param cases that every planner has finished
-std::string howLongPathsAre(const std::vector<std::string> &planners, const Cases &cases)
+std::string whoSolvedMost(const CaseTable &finished)
 {
-    std::map<std::string, std::vector<double>> ratios;
-    std::size_t compared = 0;
-    for (const auto &[name, runs] : cases)
+    if (finished.cases.empty())
+        return "No instance was finished by every planner, so their success cannot be compared.";
+    std::vector<std::pair<std::size_t, std::string>> solved; // with the number, for the order
+    std::vector<std::string> proved;
+    for (std::size_t p = 0; p < finished.planners.size(); ++p)
     {
-        const bool counts = std::all_of(runs.begin(), runs.end(),
-                                        [](const RunRecord *run) {
-                                            return run->solved() && run->pathLength &&
-                                                   run->pathLengthLowerBound.value_or(0) > 0;
-                                        });
-        if (!counts)
-            continue;
-        ++compared;
-        for (const RunRecord *run : runs)
-            ratios[run->planner].push_back(static_cast<double>(*run->pathLength) /
-                                           static_cast<double>(*run->pathLengthLowerBound));
+        const Answered answered = answeredBy(p, finished);
+        solved.emplace_back(answered.solved,
+                            fmt::format("{} {} of {}", finished.name(p), answered.solved, answered.counted));
+        if (answered.unsolvable > 0)
+            proved.push_back(
+                fmt::format("{} {} of {}", finished.name(p), answered.proved, answered.unsolvable));
     }
-    if (compared == 0)
-        return planners.size() == 1
+    std::stable_sort(solved.begin(), solved.end(),
+                     [](const auto &a, const auto &b) { return a.first > b.first; });
+    std::vector<std::string> items;
+    for (const auto &[count, text] : solved)
+        items.push_back(oneLine(text));
+    for (std::string &text : proved)
+        text = oneLine(text);
+    std::string text = fmt::format("Solved, of the {} that {} finished, where there is a solution under the "
+                                   "planner's motion rule and it applies: {}.",
+                                   counted(finished.cases.size(), "instance"),
+                                   finished.planners.size() == 1 ? "it" : "all planners", listed(items));
+    if (!proved.empty())
+        text += fmt::format(" Proved, of those without a solution: {}.", listed(proved));
+    return text;
+}
+
+std::string howLongPathsAre(const CaseTable &finished)
+{
+    const CommonCases common = commonCases(finished, "path_length", "path_length_lower_bound");
+    const bool isAlone = finished.planners.size() == 1;
+    if (common.planners.empty())
+        return isAlone
                    ? "There is no solution whose path length could be compared with a lower bound."
-                   : "No case with a positive lower bound was solved by every planner, so their path "
-                     "lengths cannot be compared.";
+                   : fmt::format(
+                         "No two planners have solved {} instances with a positive lower bound in common, so "
+                         "their path lengths are not compared here.",
+                         kLeastInCommon);
     std::vector<std::pair<double, std::string>> medians;
-    for (const std::string &planner : planners)
-        if (const auto summary = quartiles(ratios[planner]))
-            medians.emplace_back(summary->median, planner);
+    for (const std::size_t p : common.planners)
+    {
+        std::vector<double> ratios;
+        for (const Case *one : common.cases)
+            ratios.push_back(*one->answers[p].cost("path_length") /
+                             *one->answers[p].cost("path_length_lower_bound"));
+        const Quartiles middle = quartiles(std::move(ratios)).value_or(Quartiles());
+        std::string text = fmt::format("{} {:.2f}", oneLine(finished.name(p)), middle.median);
+        if (middle.hasBand())
+            text += fmt::format(" [{:.2f}, {:.2f}]", middle.q1, middle.q3);
+        medians.emplace_back(middle.median, std::move(text));
+    }
     std::stable_sort(medians.begin(), medians.end(),
                      [](const auto &a, const auto &b) { return a.first < b.first; });
     std::vector<std::string> items;
-    for (const auto &[median, planner] : medians)
-        items.push_back(fmt::format("{} {:.2f}", oneLine(planner), median));
-    return fmt::format("Median path length over its lower bound, before optimizing, on the cases that {} "
-                       "solved (n = {}): {}.",
-                       planners.size() == 1 ? "it" : "every planner", compared, listed(items));
+    for (auto &[median, text] : medians)
+        items.push_back(std::move(text));
+    std::string text = fmt::format(
+        "Median path length over its lower bound [quartiles], before optimizing, on the instances that {} "
+        "solved (n = {}): {}.",
+        isAlone                  ? "it"
+        : common.leftOut.empty() ? "every planner"
+                                 : "all of these planners",
+        common.cases.size(), listed(items));
+    std::vector<std::string> leftOut;
+    for (const std::size_t p : common.leftOut)
+        leftOut.push_back(oneLine(finished.name(p)));
+    if (!leftOut.empty())
+        text += fmt::format(" Not among them, for having solved too few of the same: {}.", listed(leftOut));
+    return text;
 }
 
 } // namespace
@@ -128,14 +157,9 @@ std::vector<std::string> keyFacts(const ResultTable &results)
 {
     if (results.records().empty())
         return {};
-    std::vector<std::string> planners;
-    for (const Configured &planner : results.plan().planners)
-        planners.push_back(planner.name);
-    Cases cases;
-    for (const RunRecord &run : results.records())
-        cases[run.caseId].push_back(&run);
-    std::erase_if(cases, [&](const auto &entry) { return entry.second.size() != planners.size(); });
-    return {howRunsEnded(results), whoSolvedMost(planners, cases), howLongPathsAre(planners, cases)};
+    const CaseTable cases = caseTable(results);
+    const CaseTable finished = cases.finished();
+    return {howRunsEnded(results, cases), whoSolvedMost(finished), howLongPathsAre(finished)};
 }
 
 } // namespace mrpp

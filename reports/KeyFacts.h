@@ -10,8 +10,9 @@
 namespace mrpp
 {
 
-/// How the runs ended, which planner solved most, and the path lengths. Planners are compared only on cases
-/// that all of them have finished or solved; where there are none, the sentence says so. Empty without runs.
+/// How the runs ended, what each planner solved and proved, and the path lengths. Planners are compared only
+/// on instances that all of them have finished, path lengths only on commonCases(); where there are too few,
+/// the sentence says so. Empty without runs.
 [[nodiscard]] std::vector<std::string> keyFacts(const ResultTable &results);
 
 } // namespace mrpp

@@ -8,7 +8,9 @@
 #include "reports/drawing/SummaryTables.h"
 #include "reports/drawing/Text.h"
 
+#include <cmath>
 #include <fmt/format.h>
+#include <map>
 #include <set>
 
 namespace mrpp
@@ -49,6 +51,11 @@ std::string tableText(const SummaryTable &table)
     return text + "\\bottomrule\n\\end{longtable}\n\n";
 }
 
+std::string latexRatio(double ratio)
+{
+    return std::isinf(ratio) ? "\\ensuremath{\\infty}" : ratioText(ratio);
+}
+
 /// \newcommand{\solvedPushAndSwap}{138} and its like; of two planners with one name in letters the second
 /// gets "B".
 std::string numbersText(const ResultTable &results, const CaseTable &cases, const Findings &findings)
@@ -67,28 +74,38 @@ std::string numbersText(const ResultTable &results, const CaseTable &cases, cons
     for (std::size_t p = 0; p < cases.planners.size(); ++p)
     {
         std::size_t runs = 0;
-        std::size_t solved = 0;
+        std::size_t counted = 0; // for success
+        std::map<Outcome, std::size_t> outcomes;
         for (const Case &one : cases.cases)
         {
-            runs += one.runs[p] != nullptr ? 1 : 0;
-            solved += one.runs[p] != nullptr && one.runs[p]->solved() ? 1 : 0;
+            const Answer &answer = one.answers[p];
+            if (!answer.isFinished())
+                continue;
+            runs += answer.runs();
+            counted += answer.counts() ? 1 : 0;
+            ++outcomes[answer.outcome()];
         }
         const std::string name = latexName(cases.planners[p]);
+        const std::size_t solved = outcomes[Outcome::solved];
         define("mrppRunsOf" + name, std::to_string(runs));
+        define("mrppRuleOf" + name, cases.rules[p]);
         define("mrppSolvedBy" + name, std::to_string(solved));
-        if (runs > 0)
+        define("mrppProvedBy" + name, std::to_string(outcomes[Outcome::proved]));
+        define("mrppNotApplicableTo" + name, std::to_string(outcomes[Outcome::doesNotApply]));
+        define("mrppFailedBy" + name, std::to_string(outcomes[Outcome::failed]));
+        if (counted > 0)
             define("mrppSuccessOf" + name,
-                   fmt::format("{:.1f}", 100 * static_cast<double>(solved) / static_cast<double>(runs)));
+                   fmt::format("{:.1f}", 100 * static_cast<double>(solved) / static_cast<double>(counted)));
     }
     for (const CostFinding &finding : findings.costs)
     {
         const std::string name = latexName(finding.column + " " + finding.first + " over " + finding.second);
         if (finding.comparison.pairs == 0)
             continue;
-        define("mrppRatio" + name, fmt::format("{:.2f}", finding.comparison.medianRatio));
+        define("mrppRatio" + name, latexRatio(finding.comparison.medianRatio));
         if (finding.comparison.ratioInterval)
-            define("mrppInterval" + name, fmt::format("{:.2f}--{:.2f}", finding.comparison.ratioInterval->low,
-                                                      finding.comparison.ratioInterval->high));
+            define("mrppInterval" + name, latexRatio(finding.comparison.ratioInterval->low) + "--" +
+                                              latexRatio(finding.comparison.ratioInterval->high));
         if (finding.p)
             define("mrppP" + name, *finding.p < 0.001 ? "<0.001" : fmt::format("{:.3f}", *finding.p));
     }

@@ -58,9 +58,15 @@ std::vector<std::filesystem::path> MarkdownReport::write(const ResultTable &resu
             text += "* " + markdownText(fact) + "\n";
         for (const std::string &sentence : findingsOf(caseTable(results)).sentences())
             text += "* " + markdownText(sentence) + "\n";
-        text += "\n## Tables\n\nCosts are medians over the solved runs alone. Bold: the best median among "
-                "the planners that "
-                "solved the most runs there.\n\n";
+        text += "\n## Tables\n\nCopies of an instance count once. Behind a planner's name: the motion rule "
+                "of its "
+                "solutions. Solved: of the instances that have a solution under that rule and to which the "
+                "planner "
+                "applies; PAR, too. Costs are medians over the same instances for all planners of a place; "
+                "without an "
+                "answer a planner stands above all costs, so that there is none unless it solved more than "
+                "half. Bold: "
+                "the best median among the planners that solved the most instances there.\n\n";
         text += tableText(plannerTable(results.records(), results.plan().limits.time));
         for (const SummaryTable &table : summaryTables(results.records()))
             text += tableText(table);

@@ -59,6 +59,9 @@ void addTitlePage(PdfPages &pages, const ResultTable &results, const Provenance 
         std::count_if(records.begin(), records.end(), [](const RunRecord &run) { return run.solved(); }));
     std::string runs = fmt::format("{} finished of {} planned: {} solved, {} not", records.size(),
                                    results.plannedRuns(), solved, records.size() - solved);
+    std::vector<std::string> rules;
+    for (const Configured &planner : results.plan().planners)
+        rules.push_back(withRule(oneLine(planner.name), toString(planner.motion)));
     if (records.size() < results.plannedRuns())
         runs += "; the campaign is not finished";
 
@@ -68,7 +71,8 @@ void addTitlePage(PdfPages &pages, const ResultTable &results, const Provenance 
     pages.facts({
         {"Runs", runs, wants(results, "csv") ? kRunsFile : ""},
         {"Repetitions", std::to_string(results.plan().repetitions)},
-        {"Motion rule", std::string(toString(results.plan().motion))},
+        {"Motion rule", fmt::format("{} at most; the planners': {}", toString(results.plan().motion),
+                                    fmt::join(rules, ", "))},
         {"Limits of a run",
          fmt::format("{:g} s, {:g} MB", results.plan().limits.time, results.plan().limits.memory)},
         {"Seed", std::to_string(results.plan().seed)},
@@ -100,7 +104,11 @@ void addTitlePage(PdfPages &pages, const ResultTable &results, const Provenance 
     const SummaryTable planners = plannerTable(records, results.plan().limits.time);
     pages.section(planners.title);
     pages.table(planners.columns, planners.rows);
-    pages.paragraph("PAR-2 and PAR-10: mean time where a failed run counts 2 or 10 times the limit.");
+    pages.paragraph(
+        "Copies of an instance count once. Behind a planner's name: the motion rule of its solutions. Solved "
+        "(%), its interval (Wilson) and PAR are over the instances that have a solution under that rule and "
+        "to which the planner applies; PAR-2 and PAR-10 are mean times where one that failed counts 2 or 10 "
+        "times the limit.");
     pages.section("Contents");
     pages.contents();
 }
@@ -111,14 +119,19 @@ void addFindings(PdfPages &pages, const ResultTable &results)
     if (sentences.empty())
         return;
     pages.chapter("Findings");
-    pages.paragraph(
-        "Planners are compared pair by pair on the same cases: costs on those that both solved, by "
-        "Wilcoxon's "
-        "signed-rank test of their logarithms with a BCa bootstrap interval of the median ratio; success on "
-        "those that both have finished, by McNemar's exact test. All p-values carry Holm's correction. A12 "
-        "is "
-        "the chance that a cost of the first planner exceeds one of the second: 0.5 where they are alike. "
-        "Cases of one sweep share their graph, so small p-values overstate how much was learned.");
+    pages.paragraph("Planners are compared pair by pair on the same instances, of which copies count once: "
+                    "costs on those that both "
+                    "solved, by Wilcoxon's signed-rank test of the logarithms of their ratios, which also "
+                    "says who needs less, "
+                    "with the median ratio and its interval between order statistics; what they solve on "
+                    "those that have a "
+                    "solution under both motion rules and to which both apply, by McNemar's exact test. All "
+                    "p-values carry Holm's "
+                    "correction. The rank-biserial correlation is the first planner's share of the rank sum "
+                    "minus the second's: 1 "
+                    "where it always needs less, 0 where they are alike. Instances of one sweep share their "
+                    "graph, so small "
+                    "p-values overstate how much was learned.");
     for (const std::string &sentence : sentences)
         pages.paragraph("• " + sentence);
 }
@@ -129,10 +142,17 @@ void addTables(PdfPages &pages, const ResultTable &results)
     if (results.records().empty())
         return;
     pages.chapter("Results");
-    pages.paragraph(
-        "Every cost is the median over the solved runs alone; how many these are stands beside it. Bold: the "
-        "best median among the planners that solved the most runs at that point. A dash: no run was "
-        "solved, or the measure was not taken. Quartiles are in summary.csv, single runs in results.csv.");
+    pages.paragraph("Solved: of how many distinct instances that have a solution under the planner's motion "
+                    "rule and to which it "
+                    "applies. Every cost is the median over the same instances for all planners of a row's "
+                    "place: those that all "
+                    "have finished, unless they have no solution; without an answer a planner stands above "
+                    "all costs, and where it "
+                    "solved no more than half there is no median (a dash). Bold: the best median among the "
+                    "planners that solved "
+                    "the most instances there, times that differ by less than a tenth or 0.1 ms being alike. "
+                    "Quartiles are in "
+                    "summary.csv, single runs in results.csv.");
     for (const SummaryTable &table : summaryTables(results.records()))
     {
         pages.section(table.title, tableOf(table.title));
@@ -140,14 +160,16 @@ void addTables(PdfPages &pages, const ResultTable &results)
         pages.table(table.columns, table.rows);
     }
     const SummaryTable failures = failureTable(results.records(), kFailureRows);
-    pages.chapter("Failures");
+    pages.chapter("Runs without a solution");
     if (failures.rows.empty())
         pages.paragraph("Every run ended with a valid solution.");
     else
     {
-        pages.paragraph(
-            "Grouped by planner, end and message. To see one again, run `mrppsim replay . KEY` in this "
-            "report's folder, with the key in its row.");
+        pages.paragraph("Failures, proofs that there is no solution (infeasible), and instances to which a "
+                        "planner does not apply "
+                        "(unsupported), grouped by planner, end and message. To see one again, run `mrppsim "
+                        "replay . KEY` in this "
+                        "report's folder, with the key in its row.");
         pages.table(failures.columns, failures.rows);
     }
 }

@@ -66,7 +66,7 @@ FriedmanTest friedmanTest(const std::vector<std::vector<double>> &costs)
     {
         test.refusal = planners < 3 ? "it compares three planners or more"
                                     : "only " + std::to_string(test.problems) +
-                                          " problems were solved by all planners; it needs " +
+                                          " points had an answer of any planner; it needs " +
                                           std::to_string(kLeastForFriedman);
         return test;
     }

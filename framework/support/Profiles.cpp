@@ -36,7 +36,7 @@ std::vector<StepPoint> cactus(std::vector<double> times)
 }
 
 std::vector<std::vector<StepPoint>>
-performanceProfiles(const std::vector<std::vector<std::optional<double>>> &costs)
+performanceProfiles(const std::vector<std::vector<std::optional<double>>> &costs, const Alike &alike)
 {
     const std::size_t planners = costs.empty() ? 0 : costs.front().size();
     std::vector<std::vector<double>> ratios(planners);
@@ -47,8 +47,10 @@ performanceProfiles(const std::vector<std::vector<std::optional<double>>> &costs
             if (cost && (!best || *cost < *best))
                 best = cost;
         for (std::size_t i = 0; i < planners; ++i)
-            if (row[i] && (*best > 0 || *row[i] == 0))
-                ratios[i].push_back(*best > 0 ? *row[i] / *best : 1);
+            if (row[i] && alike(*best, *row[i]))
+                ratios[i].push_back(1);
+            else if (row[i] && *best > 0)
+                ratios[i].push_back(*row[i] / *best);
     }
     std::vector<std::vector<StepPoint>> profiles;
     for (std::vector<double> &own : ratios)

@@ -30,13 +30,28 @@ struct StepPoint
 /// Cactus plot: y is the time within which each of the x easiest runs was solved, x = 1, 2, …. O(n log n).
 [[nodiscard]] std::vector<StepPoint> cactus(std::vector<double> times);
 
+/// Costs that differ by no more than this share of the less, or by no more than that amount, count as equal.
+struct Alike
+{
+    double share = 0;
+    double amount = 0;
+
+    [[nodiscard]] bool operator()(double less, double more) const
+    {
+        return more <= less * (1 + share) || more - less <= amount;
+    }
+};
+
+/// Times: a tenth of them, or 0.1 ms, is what a machine's mood makes (docs/measurement.md).
+inline constexpr Alike kAlikeTimes = {0.1, 1e-4};
+
 /// Performance profiles: for each planner the share of the cases on which it needs at most x times what the
 /// best planner of that case needs. E. Dolan and J. Moré, "Benchmarking optimization software with
 /// performance profiles", Mathematical Programming 91(2), 2002. Every profile begins at x = 1; cases that
 /// nobody solved count below, so none reaches 1 then. A best cost of 0 is matched by 0 alone. \param costs a
-/// row a case, a column a planner; nothing where it failed O(cases · planners · log cases). \pre rows of
-/// equal size, costs ≥ 0
+/// row a case, a column a planner; nothing where it failed. \param alike what counts as much as the best
+/// cost: none unless said. O(cases · planners · log cases). \pre rows of equal size, costs ≥ 0
 [[nodiscard]] std::vector<std::vector<StepPoint>>
-performanceProfiles(const std::vector<std::vector<std::optional<double>>> &costs);
+performanceProfiles(const std::vector<std::vector<std::optional<double>>> &costs, const Alike &alike = {});
 
 } // namespace mrpp

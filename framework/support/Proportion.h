@@ -18,4 +18,9 @@ namespace mrpp
 /// or more so; of discordant pairs this is McNemar's exact test. 1 without any.
 [[nodiscard]] double signTest(std::size_t wins, std::size_t losses);
 
+/// With fewer pairs that differ, not even all of them on one side are rarer than one in twenty: such a test
+/// can find nothing, and counts for no correction of others (R. Tarone, "A modified Bonferroni method for
+/// discrete data", Biometrics 46, 1990).
+inline constexpr std::size_t kLeastForSignTest = 6;
+
 } // namespace mrpp

@@ -28,9 +28,9 @@ double evaluate(ScalingLaw law, double scale, double rate, double size)
 
 /// Least squares of log cost over log size, or over size.
 std::pair<double, double> fit(ScalingLaw law, std::span<const ScalingPoint> points,
-                              const std::vector<double> &medians)
+                              std::span<const double> medians)
 {
-    const auto n = static_cast<double>(points.size());
+    double n = 0;
     double sumX = 0;
     double sumY = 0;
     double sumXX = 0;
@@ -38,11 +38,16 @@ std::pair<double, double> fit(ScalingLaw law, std::span<const ScalingPoint> poin
     const auto abscissa = [law](double size) { return law == ScalingLaw::power ? std::log(size) : size; };
     for (std::size_t i = 0; i < points.size(); ++i)
     {
+        if (!std::isfinite(medians[i]))
+            continue;
+        ++n;
         sumX += abscissa(points[i].size);
         sumY += std::log(medians[i]);
     }
     for (std::size_t i = 0; i < points.size(); ++i)
     {
+        if (!std::isfinite(medians[i]))
+            continue;
         const double x = abscissa(points[i].size) - sumX / n;
         sumXX += x * x;
         sumXY += x * (std::log(medians[i]) - sumY / n);
@@ -92,7 +97,11 @@ ScalingModel fitLaw(ScalingLaw law, const std::vector<ScalingPoint> &points, std
                 value = small[i].values[random.below(drawn.size())];
             drawnMedians[i] = median(std::move(drawn));
         }
-        model.resampled.push_back(fit(law, small, drawnMedians));
+        constexpr std::ptrdiff_t kLeastForLine = 2;
+        const auto known = std::count_if(drawnMedians.begin(), drawnMedians.end(),
+                                         [](double value) { return std::isfinite(value); });
+        if (known >= kLeastForLine)
+            model.resampled.push_back(fit(law, small, drawnMedians));
     }
     model.fitError = logError(model, small, medians);
     model.heldOutError = logError(model, large, std::span(medians).subspan(fitted));
@@ -131,12 +140,16 @@ const ScalingModel &ScalingFit::better() const
     return power.heldOutError <= exponential.heldOutError ? power : exponential;
 }
 
-ScalingFit fitScaling(const std::vector<ScalingPoint> &points, std::size_t resamples, Seed seed)
+ScalingFit fitScaling(const std::vector<ScalingPoint> &all, std::size_t resamples, Seed seed)
 {
     ScalingFit result;
+    std::vector<ScalingPoint> points = all;
+    std::erase_if(points, [](const ScalingPoint &point) { return !std::isfinite(median(point.values)); });
+    result.leftOut = all.size() - points.size();
     if (points.size() < kLeastSizesForScaling)
     {
-        result.refusal = "only " + std::to_string(points.size()) + " sizes were solved; a fit needs " +
+        result.refusal = "only " + std::to_string(points.size()) +
+                         " sizes had more than half of their instances solved; a fit needs " +
                          std::to_string(kLeastSizesForScaling);
         return result;
     }
@@ -147,6 +160,7 @@ ScalingFit fitScaling(const std::vector<ScalingPoint> &points, std::size_t resam
     }
     result.heldOut = std::max<std::size_t>(2, points.size() / 3);
     result.fitted = points.size() - result.heldOut;
+    result.splitAt = std::sqrt(points[result.fitted - 1].size * points[result.fitted].size);
     result.power = fitLaw(ScalingLaw::power, points, result.fitted, resamples, seed);
     result.exponential = fitLaw(ScalingLaw::exponential, points, result.fitted, resamples, seed);
     return result;

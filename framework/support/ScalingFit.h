@@ -22,7 +22,7 @@ namespace mrpp
 struct ScalingPoint
 {
     double size = 0;            ///< > 0
-    std::vector<double> values; ///< > 0, at least one
+    std::vector<double> values; ///< > 0, at least one; infinite of what failed, which is above all others
 };
 
 enum class ScalingLaw
@@ -54,6 +54,8 @@ struct ScalingFit
     ScalingModel exponential;
     std::size_t fitted = 0;  ///< the smaller sizes
     std::size_t heldOut = 0; ///< the larger sizes, which no fit has seen
+    std::size_t leftOut = 0; ///< sizes without a median: half or more of their values are infinite
+    double splitAt = 0;      ///< between the largest fitted and the least held-out size, their geometric mean
     std::string refusal;     ///< why there is no fit; empty where there is one
 
     /// The law that foretells the held-out sizes better.
@@ -62,9 +64,10 @@ struct ScalingFit
 
 inline constexpr std::size_t kLeastSizesForScaling = 5;
 
-/// Fits both laws to the medians of the smaller two thirds of the sizes. Refuses fewer than
-/// kLeastSizesForScaling sizes, and sizes that do not even double. Bands come from resampling the values at
-/// each size. O(resamples · number of values). \pre sizes are distinct and ascending
+/// Fits both laws to the medians of the smaller two thirds of the sizes that have one. Refuses fewer than
+/// kLeastSizesForScaling such sizes, and sizes that do not even double. Bands come from resampling the values
+/// at each size; a resample in which a size's median is infinite leaves that size out. O(resamples · number
+/// of values). \pre sizes are distinct and ascending
 [[nodiscard]] ScalingFit fitScaling(const std::vector<ScalingPoint> &points, std::size_t resamples = 1000,
                                     Seed seed = 1);
 

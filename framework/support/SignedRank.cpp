@@ -78,27 +78,34 @@ std::vector<double> ranks(std::span<const double> values)
     return result;
 }
 
-SignedRankTest signedRankTest(std::span<const double> first, std::span<const double> second)
+double SignedRankTest::rankBiserial() const
+{
+    const auto n = static_cast<double>(pairs);
+    const double all = n * (n + 1) / 2;
+    return pairs == 0 ? 0 : (2 * statistic - all) / all;
+}
+
+SignedRankTest signedRankTest(std::span<const double> differences)
 {
     constexpr std::size_t kMostExact = 50;
     SignedRankTest test;
     std::vector<double> sizes;
     std::vector<bool> isPositive;
-    for (std::size_t i = 0; i < first.size(); ++i)
+    for (const double difference : differences)
     {
-        if (first[i] == second[i])
+        if (difference == 0)
             continue;
-        sizes.push_back(std::abs(first[i] - second[i]));
-        isPositive.push_back(first[i] > second[i]);
+        sizes.push_back(std::abs(difference));
+        isPositive.push_back(difference > 0);
     }
     test.pairs = sizes.size();
-    test.ties = first.size() - sizes.size();
+    test.ties = differences.size() - sizes.size();
     const std::vector<double> rank = ranks(sizes);
     for (std::size_t i = 0; i < rank.size(); ++i)
         test.statistic += isPositive[i] ? rank[i] : 0;
     if (test.pairs < kLeastForSignedRank)
     {
-        test.refusal = "only " + std::to_string(test.pairs) + " of " + std::to_string(first.size()) +
+        test.refusal = "only " + std::to_string(test.pairs) + " of " + std::to_string(differences.size()) +
                        " pairs differ; a test needs " + std::to_string(kLeastForSignedRank);
         return test;
     }
@@ -119,20 +126,6 @@ std::vector<double> holmAdjusted(std::span<const double> p)
         --left;
     }
     return adjusted;
-}
-
-double effectSizeA12(std::span<const double> first, std::span<const double> second)
-{
-    if (first.empty() || second.empty())
-        return 0.5;
-    std::vector<double> all(first.begin(), first.end());
-    all.insert(all.end(), second.begin(), second.end());
-    const std::vector<double> rank = ranks(all);
-    const double sum =
-        std::accumulate(rank.begin(), rank.begin() + static_cast<std::ptrdiff_t>(first.size()), 0.0);
-    const auto m = static_cast<double>(first.size());
-    const auto n = static_cast<double>(second.size());
-    return (sum / m - (m + 1) / 2) / n;
 }
 
 } // namespace mrpp

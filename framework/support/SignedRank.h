@@ -20,27 +20,30 @@ struct SignedRankTest
     bool exact = false;      ///< p from the permutation distribution, else from the normal approximation
     std::optional<double> p; ///< two-sided; nothing where there are too few pairs
     std::string refusal;     ///< why there is no p
+
+    /// The matched-pairs rank-biserial correlation, −1 … 1: the share of the rank sum that positive
+    /// differences have minus that of the negative ones (D. Kerby, "The simple difference formula",
+    /// Comprehensive Psychology 3, 2014; effectsize::rank_biserial(paired = TRUE) of R, which leaves ties
+    /// out, too). Its sign is the direction of which p speaks. 0 where nothing differs.
+    [[nodiscard]] double rankBiserial() const;
 };
 
 /// With fewer pairs that differ, no outcome is rarer than one in twenty.
 inline constexpr std::size_t kLeastForSignedRank = 6;
 
-/// Tests whether the differences first − second are symmetric around 0. Up to 50 pairs p is exact given the
-/// ranks, which ties share (R's wilcox.test where there are none, wilcox.exact of exactRankTests where there
-/// are); beyond, normal with corrections for ties and continuity, as wilcox.test. F. Wilcoxon, "Individual
-/// comparisons by ranking methods", Biometrics Bulletin 1(6), 1945. \pre equal sizes. O(n log n), exact
+/// Tests whether the differences are symmetric around 0. Only their signs and the order of their sizes
+/// matter; sizes are ties where they are equal, so that what should be a tie has to be equal exactly (see
+/// comparePairs()). Up to 50 pairs that differ p is exact given the ranks, which ties share (R's wilcox.test
+/// where there are none, wilcox.exact of exactRankTests where there are; the zero_method "wilcox" of
+/// scipy.stats.wilcoxon); beyond, normal with corrections for ties and continuity, as wilcox.test. F.
+/// Wilcoxon, "Individual comparisons by ranking methods", Biometrics Bulletin 1(6), 1945. O(n log n), exact
 /// O(n³).
-[[nodiscard]] SignedRankTest signedRankTest(std::span<const double> first, std::span<const double> second);
+[[nodiscard]] SignedRankTest signedRankTest(std::span<const double> differences);
 
 /// Adjusted p-values for testing several hypotheses at once, in the order given: S. Holm, "A simple
 /// sequentially rejective multiple test procedure", Scandinavian Journal of Statistics 6(2), 1979. O(n log
 /// n).
 [[nodiscard]] std::vector<double> holmAdjusted(std::span<const double> p);
-
-/// A₁₂ = P(X > Y) + ½ P(X = Y), the chance that a value of `first` exceeds one of `second`: A. Vargha and H.
-/// Delaney, "A critique and improvement of the CL common language effect size statistics", JEBS 25(2), 2000.
-/// ½ where one is empty. O((n + m) log(n + m)).
-[[nodiscard]] double effectSizeA12(std::span<const double> first, std::span<const double> second);
 
 /// Ranks 1 … n, equal values sharing the mean of theirs. O(n log n).
 [[nodiscard]] std::vector<double> ranks(std::span<const double> values);

@@ -25,9 +25,17 @@ std::optional<double> valueAt(const Curve &curve, double time)
     return after == curve.begin() ? std::nullopt : std::optional(std::prev(after)->second);
 }
 
-/// Curves by property, then planner.
-using Curves = std::map<std::string, std::map<std::string, std::vector<Curve>>>;
+/// Of one planner at one point.
+struct Watched
+{
+    std::vector<Curve> curves; // of the instances whose runs reported anything
+    std::size_t instances = 0; // all
+};
 
+/// By property, then planner.
+using Curves = std::map<std::string, std::map<std::string, Watched>>;
+
+/// Of each instance the first run: those on copies of it would count it twice.
 Curves curvesOf(const ResultTable &results, const ProblemSummary &problem)
 {
     Curves curves;
@@ -36,9 +44,9 @@ Curves curvesOf(const ResultTable &results, const ProblemSummary &problem)
     {
         if (group.sweepValue != last)
             continue;
-        for (const RunRecord *run : group.runs)
+        for (const Answer &answer : group.answers)
         {
-            const Progress progress = results.progress(*run);
+            const Progress progress = results.progress(answer.first());
             for (std::size_t i = 0; i < progress.names.size(); ++i)
             {
                 Curve curve;
@@ -46,24 +54,27 @@ Curves curvesOf(const ResultTable &results, const ProblemSummary &problem)
                     if (std::isfinite(sample.values[i]))
                         curve.emplace_back(sample.time, sample.values[i]);
                 if (!curve.empty())
-                    curves[progress.names[i]][group.planner].push_back(std::move(curve));
+                    curves[progress.names[i]][group.planner].curves.push_back(std::move(curve));
             }
         }
+        for (auto &[property, planners] : curves)
+            if (const auto own = planners.find(group.planner); own != planners.end())
+                own->second.instances = group.answers.size();
     }
     return curves;
 }
 
-/// \param runs how many of the planner's runs there are at that point
-FigureSeries seriesOf(const std::vector<Curve> &curves, const std::vector<double> &times)
+FigureSeries seriesOf(const Watched &watched, const std::vector<double> &times)
 {
     FigureSeries series;
     for (const double time : times)
     {
         std::vector<double> values;
-        for (const Curve &curve : curves)
+        for (const Curve &curve : watched.curves)
             if (const auto value = valueAt(curve, time))
                 values.push_back(*value);
-        series.points.push_back({time, quartiles(values), values.size(), curves.size()});
+        const std::size_t reported = values.size();
+        series.points.push_back({time, quartiles(std::move(values)), reported, watched.instances});
     }
     return series;
 }
@@ -83,8 +94,8 @@ void addAnytimeFigures(FigureList &figures, const ResultTable &results,
             double least = std::numeric_limits<double>::infinity();
             double greatest = -least;
             std::size_t most = 0;
-            for (const auto &[planner, curves] : planners)
-                for (const Curve &curve : curves)
+            for (const auto &[planner, watched] : planners)
+                for (const Curve &curve : watched.curves)
                 {
                     first = first == 0 ? curve.front().first : std::min(first, curve.front().first);
                     last = std::max(last, curve.back().first);
@@ -104,7 +115,7 @@ void addAnytimeFigures(FigureList &figures, const ResultTable &results,
             Figure figure;
             figure.variable = "Time since the start of solve() (s)";
             figure.measure = variableTitle(property);
-            figure.shareTitle = "Runs (%)";
+            figure.shareTitle = "Reported (%)";
             figure.countsSolved = false;
             figure.logX = true;
             for (const std::string &planner : figures.planners())
@@ -113,20 +124,22 @@ void addAnytimeFigures(FigureList &figures, const ResultTable &results,
                     figure.series.push_back(seriesOf(own->second, times));
                     figure.series.back().label = planner;
                     figure.series.back().style = figures.styleOf(planner);
-                    figure.series.back().remark = fmt::format(" ({})", counted(own->second.size(), "run"));
+                    figure.series.back().remark =
+                        fmt::format(" ({})", counted(own->second.instances, "instance"));
                 }
             const auto at = problem.groups.back().sweepValue;
             const std::string point =
                 at ? fmt::format(" at {} = {}", spaced(problem.sweepVariable), formatNumber(*at)) : "";
             figure.title =
                 fmt::format("{} over time on {}{}", variableTitle(property), oneLine(problem.problem), point);
-            figure.caption =
-                fmt::format("The planners' own measure “{}” while they work on {} ({}){}. Lines: median over "
-                            "the runs, finished ones "
-                            "staying at their last value; bands: their quartiles; lower panel: the share of "
-                            "runs that had reported "
-                            "by then. Planners without this measure are left out.",
-                            spaced(property), oneLine(problem.problem), spaced(problem.model), point);
+            figure.caption = fmt::format(
+                "The planners' own measure “{}” while they work on {} ({}){}. Lines: median over the "
+                "instances "
+                "whose runs had reported by then, finished ones staying at their last value; bands: "
+                "quartiles, of five instances or more; lower panel: the share of all instances of the "
+                "planner that had reported by then. Planners that never reported this measure are left "
+                "out.",
+                spaced(property), oneLine(problem.problem), spaced(problem.model), point);
             figures.add(std::move(figure), problem.model + "-" + problem.problem + "-anytime-" + property);
         }
 }

@@ -50,32 +50,27 @@ std::string axisTitle(const std::string &column)
 
 Figure curvesFigure(const FigureList &figures, const ResultTable &results, const ChartRequest &chart)
 {
-    struct Cell
-    {
-        std::vector<double> values;
-        std::size_t solved = 0;
-        std::size_t runs = 0;
-    };
-    std::map<std::pair<std::size_t, std::string>, std::map<double, Cell>> curves; // by planner, group
-    std::vector<std::string> groups; // in the order of their first runs
     std::size_t without = 0;
-    for (const RunRecord &run : results.records())
+    std::vector<std::string>
+        groups; // what tells one planner's curves apart, in the order of their first runs
+    const auto placeOfRun = [&](const RunRecord &run) -> std::optional<RunPlace>
     {
         if (!concerns(chart, run))
-            continue;
+            return std::nullopt;
         const auto at = placeOf(run, chart.x);
         without += at ? 0 : 1;
         if (!at)
-            continue;
-        const std::string group = groupOf(run, chart.per);
-        if (std::find(groups.begin(), groups.end(), group) == groups.end())
-            groups.push_back(group);
-        Cell &cell = curves[{figures.styleOf(run.planner), group}][*at];
-        ++cell.runs;
-        cell.solved += run.solved() ? 1 : 0;
-        if (const auto value = run.solved() ? numericValue(run, chart.y) : std::nullopt)
-            cell.values.push_back(*value);
-    }
+            return std::nullopt;
+        RunPlace place{"", groupOf(run, chart.per), chart.x, at};
+        if (std::find(groups.begin(), groups.end(), place.problem) == groups.end())
+            groups.push_back(place.problem);
+        return place;
+    };
+    const std::vector<RunGroup> cells = groupRuns(results.records(), placeOfRun);
+    std::map<std::pair<std::size_t, std::string>, std::map<double, const RunGroup *>>
+        curves; // by planner, group
+    for (const RunGroup &cell : cells)
+        curves[{figures.styleOf(cell.planner), cell.problem}][*cell.sweepValue] = &cell;
     constexpr std::size_t kCurves = 24; // as many legends fit a page
     if (curves.size() > kCurves)
         throw DrawingError(
@@ -86,7 +81,7 @@ Figure curvesFigure(const FigureList &figures, const ResultTable &results, const
     figure.variable = axisTitle(chart.x);
     figure.measure = axisTitle(chart.y);
     bool anything = false;
-    for (const auto &[key, cells] : curves)
+    for (const auto &[key, points] : curves)
     {
         const auto &[planner, group] = key;
         FigureSeries series;
@@ -97,22 +92,27 @@ Figure curvesFigure(const FigureList &figures, const ResultTable &results, const
         const auto position =
             static_cast<std::size_t>(std::find(groups.begin(), groups.end(), group) - groups.begin());
         series.style = groups.size() > 1 ? planner * groups.size() + position : planner;
-        for (const auto &[at, cell] : cells)
+        for (const auto &[at, cell] : points)
         {
-            series.points.push_back({at, quartiles(cell.values), cell.solved, cell.runs});
-            anything = anything || !cell.values.empty();
+            series.points.push_back({at, cell->cost(chart.y), cell->solved(), cell->counted()});
+            anything = anything || series.points.back().value;
         }
         figure.series.push_back(std::move(series));
     }
     if (!anything)
-        throw DrawingError("no solved run has both " + chart.x + " and " + chart.y);
+        throw DrawingError("nowhere do more than half of the instances have both " + chart.x + " and " +
+                           chart.y);
     const std::string where = chart.problem.empty() ? "" : " on " + oneLine(chart.problem);
     figure.title = fmt::format("{} against {}{}", measureName(chart.y), spaced(chart.x), where);
     figure.caption = fmt::format(
-        "{} against {}{}{}. Lines: median over the solved runs; bands: their quartiles. Hollow markers: not "
-        "every run was solved, the lower panel shows the share that was.{}",
+        "{} against {}{}{}. Lines: median over the same instances for all planners{}; bands: quartiles, of "
+        "five "
+        "instances or more. Hollow markers: not every instance was solved, the lower panel shows the share "
+        "that was.{}",
         measureName(chart.y), spaced(chart.x), where,
         groups.size() > 1 ? fmt::format(", a curve for each planner and {}", spaced(chart.per)) : "",
+        isCost(chart.y) ? ", no answer standing above all costs (none where no more than half were solved)"
+                        : " that they solved",
         without == 0 ? ""
                      : fmt::format(" {} without {} left out.", counted(without, "run"), spaced(chart.x)));
     return figure;

@@ -14,6 +14,20 @@ constexpr double kRow = 0.95; // centimetres
 constexpr double kHalfBox = 0.28;
 constexpr double kWhisker = 1.5; // quartile distances, as J. Tukey's
 
+/// The items that draw a row of $box_i: whiskers, box, median.
+void addBox(std::vector<std::string> &items, const std::string &data, const std::string &ink)
+{
+    items.push_back(fmt::format("{} using 2:1:($6-$2):(0) with vectors nohead lw 1 {}", data, ink));
+    items.push_back(fmt::format(
+        "{0} using 3:1:3:5:($1-{1}):($1+{1}) with boxxyerror lc rgb '#ffffff' fs solid 1.0 noborder", data,
+        kHalfBox));
+    items.push_back(fmt::format(
+        "{0} using 3:1:3:5:($1-{1}):($1+{1}) with boxxyerror {2} fs transparent solid 0.3 border {2}", data,
+        kHalfBox, ink));
+    items.push_back(fmt::format("{} using 4:($1-{}):(0):({}) with vectors nohead lw 2.5 {}", data, kHalfBox,
+                                2 * kHalfBox, ink));
+}
+
 } // namespace
 
 std::string boxesScript(const Figure &figure)
@@ -44,9 +58,10 @@ std::string boxesScript(const Figure &figure)
         double low = middle->q1;
         double high = middle->q3;
         Script::Blocks outliers(1);
+        const bool isBox = middle->hasBand(); // of fewer, every value is shown
         for (const double value : series.sample)
         {
-            const bool isFar = value < middle->q1 - reach || value > middle->q3 + reach;
+            const bool isFar = !isBox || value < middle->q1 - reach || value > middle->q3 + reach;
             if (isFar)
                 outliers[0].push_back({value / scale.unit, static_cast<double>(i)});
             low = isFar ? low : std::min(low, value);
@@ -54,9 +69,10 @@ std::string boxesScript(const Figure &figure)
         }
         std::sort(outliers[0].begin(), outliers[0].end());
         outliers[0].erase(std::unique(outliers[0].begin(), outliers[0].end()), outliers[0].end());
-        script.block(fmt::format("box_{}", i),
-                     {{{static_cast<double>(i), low / scale.unit, middle->q1 / scale.unit,
-                        middle->median / scale.unit, middle->q3 / scale.unit, high / scale.unit}}});
+        if (isBox)
+            script.block(fmt::format("box_{}", i),
+                         {{{static_cast<double>(i), low / scale.unit, middle->q1 / scale.unit,
+                            middle->median / scale.unit, middle->q3 / scale.unit, high / scale.unit}}});
         script.block(fmt::format("outliers_{}", i), outliers);
     }
     page.left = std::max(2.2, 0.7 + static_cast<double>(name) * kCharacter);
@@ -80,21 +96,14 @@ std::string boxesScript(const Figure &figure)
         const std::string ink = inkOf(style);
         if (figure.series[i].sample.empty())
             continue;
-        const std::string data = fmt::format("$box_{}", i);
-        items.push_back(fmt::format("{} using 2:1:($6-$2):(0) with vectors nohead lw 1 {}", data, ink));
-        items.push_back(fmt::format(
-            "{0} using 3:1:3:5:($1-{1}):($1+{1}) with boxxyerror lc rgb '#ffffff' fs solid 1.0 noborder",
-            data, kHalfBox));
-        items.push_back(fmt::format(
-            "{0} using 3:1:3:5:($1-{1}):($1+{1}) with boxxyerror {2} fs transparent solid 0.3 border {2}",
-            data, kHalfBox, ink));
-        items.push_back(fmt::format("{} using 4:($1-{}):(0):({}) with vectors nohead lw 2.5 {}", data,
-                                    kHalfBox, 2 * kHalfBox, ink));
         const auto middle = quartiles(figure.series[i].sample);
+        const bool isBox = middle->hasBand();
+        if (isBox)
+            addBox(items, fmt::format("$box_{}", i), ink);
         const double reach = kWhisker * (middle->q3 - middle->q1);
-        if (std::any_of(figure.series[i].sample.begin(), figure.series[i].sample.end(),
-                        [&](double value)
-                        { return value < middle->q1 - reach || value > middle->q3 + reach; }))
+        if (!isBox || std::any_of(figure.series[i].sample.begin(), figure.series[i].sample.end(),
+                                  [&](double value)
+                                  { return value < middle->q1 - reach || value > middle->q3 + reach; }))
             items.push_back(fmt::format("$outliers_{} using 1:2 with points pt {} ps 0.5 {}", i,
                                         style.hollowMarker, ink));
     }

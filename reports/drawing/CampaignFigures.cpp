@@ -43,41 +43,48 @@ const char *boundMeaning(const Measure &measure)
                                                                      : "the sum of the shortest paths";
 }
 
-/// "10 runs", or "8 to 10 runs" where a campaign is unfinished.
-std::string runsAPoint(const std::vector<const RunGroup *> &groups)
+/// "10 instances", or "8 to 10 instances" where points differ.
+std::string instancesAPoint(const std::vector<const RunGroup *> &groups)
 {
-    const auto bySize = [](const RunGroup *a, const RunGroup *b) { return a->runs.size() < b->runs.size(); };
+    const auto bySize = [](const RunGroup *a, const RunGroup *b)
+    { return a->answers.size() < b->answers.size(); };
     const auto [least, most] = std::minmax_element(groups.begin(), groups.end(), bySize);
-    const std::string runs = counted((*most)->runs.size(), "run");
-    return (*least)->runs.size() == (*most)->runs.size()
-               ? runs
-               : fmt::format("{} to {}", (*least)->runs.size(), runs);
+    const std::string instances = counted((*most)->answers.size(), "instance");
+    return (*least)->answers.size() == (*most)->answers.size()
+               ? instances
+               : fmt::format("{} to {}", (*least)->answers.size(), instances);
 }
 
 bool hasFailures(const std::vector<const RunGroup *> &groups)
 {
     return std::any_of(groups.begin(), groups.end(),
-                       [](const RunGroup *group) { return group->solved() < group->runs.size(); });
+                       [](const RunGroup *group) { return group->solved() < group->counted(); });
 }
 
-/// " 3 runs had no solution …" where there are such.
-std::string unsolvableRuns(const std::vector<const RunGroup *> &groups)
+/// What a median is over, for captions.
+constexpr const char *kOver =
+    "median over the same instances for all planners, no answer standing above all costs "
+    "(none where no more than half were solved)";
+
+/// A sentence where instances do not count for success.
+std::string uncounted(const std::vector<const RunGroup *> &groups)
 {
-    std::size_t unsolvable = 0;
-    for (const RunGroup *group : groups)
-        unsolvable += group->runs.size() - group->solvable();
-    return unsolvable == 0 ? ""
-                           : fmt::format(" {} had no solution under the planner's motion rule.",
-                                         counted(unsolvable, "run"));
+    return std::any_of(groups.begin(), groups.end(),
+                       [](const RunGroup *group) { return group->counted() < group->answers.size(); })
+               ? " Instances without a solution under a planner's motion rule, and those to which it does "
+                 "not apply, do "
+                 "not count."
+               : "";
 }
 
-/// The median of a bound over all runs of the groups; solved or not, they share their instances.
+/// The median of a bound over the instances that costs are over.
 std::optional<double> medianBound(const std::vector<const RunGroup *> &groups, std::string_view column)
 {
     std::vector<double> values;
     for (const RunGroup *group : groups)
-        for (const RunRecord *run : group->runs)
-            if (const auto value = numericValue(*run, column))
+        for (std::size_t i = 0; i < group->answers.size(); ++i)
+            if (const auto value = numericValue(group->answers[i].first(), column);
+                value && group->isCompared[i] != 0)
                 values.push_back(*value);
     const auto summary = quartiles(std::move(values));
     return summary ? std::optional(summary->median) : std::nullopt;
@@ -139,8 +146,7 @@ private:
             for (const Place &place : places)
                 for (const RunGroup *group : place.groups)
                     if (group->planner == planner)
-                        curve.points.push_back(
-                            {place.at, value(*group), group->solved(), group->runs.size()});
+                        curve.points.push_back({place.at, value(*group), group->solved(), group->counted()});
             if (!curve.points.empty())
                 series.push_back(std::move(curve));
         }
@@ -151,8 +157,7 @@ private:
     bool fill(Figure &figure, const std::vector<Place> &places, const Measure &measure) const
     {
         figure.measure = metricTitle(measure.column);
-        figure.series =
-            makeSeries(places, [&](const RunGroup &group) { return group.overSolved(measure.column); });
+        figure.series = makeSeries(places, [&](const RunGroup &group) { return group.cost(measure.column); });
         const auto hasValue = [](const FigurePoint &point) { return point.value.has_value(); };
         if (std::none_of(figure.series.begin(), figure.series.end(),
                          [&](const FigureSeries &series)
@@ -196,15 +201,15 @@ private:
             figure.subject = where;
             figure.title = measureName(measure.column) + " on " + oneLine(problem.problem);
             figure.caption = fmt::format(
-                "{} on {}: {}. Lines: median over the solved runs; bands: their quartiles; {} at each "
-                "point.{}{}",
-                measureName(measure.column), where, measure.of, runsAPoint(groups),
+                "{} on {}: {}. Lines: {}; bands: quartiles, of five instances or more; {} at each point.{}{}",
+                measureName(measure.column), where, measure.of, kOver, instancesAPoint(groups),
                 hasFailures(groups)
-                    ? " Hollow markers: not every run was solved, the lower panel shows the share that was."
+                    ? " Hollow markers: not every instance was solved, the lower panel shows the share "
+                      "that was."
                     : "",
                 figure.bounds.empty()
                     ? std::string()
-                    : fmt::format(" Dotted grey: lower bound, {} (median over the instances).",
+                    : fmt::format(" Dotted grey: lower bound, {} (median over the same instances).",
                                   boundMeaning(measure)));
             list_.add(std::move(figure), prefix + measure.column);
         }
@@ -217,21 +222,21 @@ private:
         success.isPercentage = true;
         success.subject = where;
         success.title = "Success rate on " + oneLine(problem.problem);
-        success.caption =
-            fmt::format("Success rate on {}: share of the runs that ended with a valid solution "
-                        "within the limits; {} at each point.{}",
-                        where, runsAPoint(groups), unsolvableRuns(groups));
+        success.caption = fmt::format(
+            "Success rate on {}: share of the instances that were solved within the limits; {} at each "
+            "point.{}",
+            where, instancesAPoint(groups), uncounted(groups));
         success.variable = variableTitle(problem.sweepVariable);
-        success.measure = "Runs solved (%)";
-        success.series = makeSeries(places,
-                                    [](const RunGroup &group)
-                                    {
-                                        const double percent = 100 * group.successRate();
-                                        return Quartiles{percent, percent, percent, group.runs.size()};
-                                    });
-        for (FigureSeries &series : success.series)
-            for (FigurePoint &point : series.points)
-                point.value->count = point.runs;
+        success.measure = "Instances solved (%)";
+        success.series =
+            makeSeries(places,
+                       [](const RunGroup &group)
+                       {
+                           const auto rate = group.successRate();
+                           const double percent = 100 * rate.value_or(0);
+                           return rate ? std::optional(Quartiles{percent, percent, percent, group.counted()})
+                                       : std::nullopt;
+                       });
         list_.add(std::move(success), prefix + "success_rate");
     }
 
@@ -277,13 +282,14 @@ private:
             figure.subject = spaced(model);
             figure.title = measureName(measure.column) + ", " + spaced(model) + " problems";
             figure.caption = fmt::format(
-                "{} on the {} problems: {}. Markers: median over the solved runs; bars: their quartiles; {} "
-                "for each problem and planner.{}{}",
-                measureName(measure.column), spaced(model), measure.of, runsAPoint(groups),
-                hasFailures(groups) ? " Hollow markers: not every run was solved, the panel on the right "
-                                      "shows the share that "
-                                      "was; no marker on the left: none was solved."
-                                    : "",
+                "{} on the {} problems: {}. Markers: {}; bars: quartiles, of five instances or more; {} for "
+                "each problem "
+                "and planner.{}{}",
+                measureName(measure.column), spaced(model), measure.of, kOver, instancesAPoint(groups),
+                hasFailures(groups)
+                    ? " Hollow markers: not every instance was solved, the panel on the right shows the "
+                      "share that was."
+                    : "",
                 figure.bounds.empty()
                     ? std::string()
                     : fmt::format(" Upright strokes: lower bound, {}.", boundMeaning(measure)));

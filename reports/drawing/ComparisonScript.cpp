@@ -38,7 +38,7 @@ void writeShares(Script &script, const Figure &figure, const Page &page)
     for (std::size_t i = 0; i < figure.series.size(); ++i)
     {
         const CurveStyle style = curveStyle(figure.series[i].style);
-        if (!figure.series[i].points.empty())
+        if (hasShare(figure.series[i]))
             items.push_back(fmt::format("$success_{} using 2:1 with points pt {} ps 0.55 {}", i,
                                         style.filledMarker, inkOf(style)));
     }
@@ -95,10 +95,11 @@ std::string comparisonScript(const Figure &figure)
     {
         const CurveStyle style = curveStyle(figure.series[i].style);
         const std::string data = fmt::format("$values_{}", i);
+        if (hasBand(figure.series[i]))
+            items.push_back(
+                fmt::format("$band_{} using 2:1:2:3 with xerrorbars ps 0 lw 1 {} notitle", i, inkOf(style)));
         if (hasValue(figure.series[i]))
         {
-            items.push_back(
-                fmt::format("{} using 2:1:3:4 with xerrorbars ps 0 lw 1 {} notitle", data, inkOf(style)));
             addMarkers(items, data, "({}?$2:NaN):1", style);
         }
         items.push_back(fmt::format("keyentry with points pt {} ps 0.7 {} title label_{}", style.filledMarker,

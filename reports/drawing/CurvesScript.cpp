@@ -34,7 +34,7 @@ void writeShares(Script &script, const Figure &figure, const Page &page, const A
     for (std::size_t i = 0; i < figure.series.size(); ++i)
     {
         const CurveStyle style = curveStyle(figure.series[i].style);
-        if (!figure.series[i].points.empty())
+        if (hasShare(figure.series[i]))
             items.push_back(
                 fmt::format("$success_{} using 1:2 with linespoints pt {} ps 0.45 lw 1.2 dt {} {}", i,
                             style.filledMarker, style.dashes, inkOf(style)));
@@ -90,20 +90,21 @@ std::string curvesScript(const Figure &figure)
     script << "set title title_text noenhanced font title_font offset 0,-0.2\n";
     if (!hasShares)
         script << "set xlabel variable_text noenhanced\n";
-    if (figure.heldOutFrom)
-        script << fmt::format(
-            "set arrow 1 from {0},graph 0 to {0},graph 1 nohead dt (6,4) lw 0.8 lc rgb '#808080'\n",
-            *figure.heldOutFrom);
+    for (const FigureSeries &series : figure.series)
+        if (series.heldOutFrom)
+            script << fmt::format("set arrow from {0},graph 0 to {0},graph 1 nohead dt (6,4) lw 0.8 {1}\n",
+                                  *series.heldOutFrom, inkOf(curveStyle(series.style)));
     script.legend();
     std::vector<std::string> items;
     for (std::size_t i = 0; i < figure.series.size() && hasShares; ++i)
     {
         const FigureSeries &series = figure.series[i];
-        const char *data = series.fit.empty() ? "values" : "fit";
-        if (hasValue(series) || !series.fit.empty())
-            items.push_back(fmt::format(
-                "${}_{} using 1:3:4 with filledcurves fs transparent solid 0.15 noborder {} notitle", data, i,
-                inkOf(curveStyle(series.style))));
+        if (series.fit.empty() && !hasBand(series))
+            continue;
+        items.push_back(fmt::format("{} with filledcurves fs transparent solid 0.15 noborder {} notitle",
+                                    series.fit.empty() ? fmt::format("$band_{} using 1:2:3", i)
+                                                       : fmt::format("$fit_{} using 1:3:4", i),
+                                    inkOf(curveStyle(series.style))));
     }
     if (hasBounds)
     {
@@ -116,11 +117,11 @@ std::string curvesScript(const Figure &figure)
         const CurveStyle style = curveStyle(series.style);
         const std::string data = fmt::format("$values_{}", i);
         const std::string line = fmt::format("lw 1.5 dt {} {}", style.dashes, inkOf(style));
+        if (hasBand(series))
+            items.push_back(fmt::format("$band_{} using 1:{}:2:3 with yerrorbars ps 0 lw 1 {} notitle", i,
+                                        series.fit.empty() ? "($4==1?$2:NaN)" : "2", inkOf(style)));
         if (hasValue(series))
         {
-            const char *barred = series.fit.empty() ? "($7==1?$2:NaN)" : "2";
-            items.push_back(fmt::format("{} using 1:{}:3:4 with yerrorbars ps 0 lw 1 {} notitle", data,
-                                        barred, inkOf(style)));
             items.push_back(series.fit.empty()
                                 ? fmt::format("{} using 1:2 with lines {} notitle", data, line)
                                 : fmt::format("$fit_{} using 1:2 with lines {} notitle", i, line));

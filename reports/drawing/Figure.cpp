@@ -3,6 +3,8 @@
 #include "framework/support/Config.h"
 #include "reports/drawing/Csv.h"
 
+#include <cmath>
+
 namespace mrpp
 {
 
@@ -11,7 +13,7 @@ namespace
 
 std::string cell(const std::optional<double> &value)
 {
-    return value ? formatNumber(*value) : std::string();
+    return value && std::isfinite(*value) ? formatNumber(*value) : std::string();
 }
 
 void heading(CsvTable &table, const std::vector<std::string> &names)
@@ -43,8 +45,8 @@ void writePoints(CsvTable &table, const Figure &figure)
             table.cell(series.label);
             table.cell(place(point.at));
             table.cell(point.value ? formatNumber(point.value->median) : std::string());
-            table.cell(point.value ? formatNumber(point.value->q1) : std::string());
-            table.cell(point.value ? formatNumber(point.value->q3) : std::string());
+            table.cell(point.value ? cell(point.value->q1) : std::string());
+            table.cell(point.value ? cell(point.value->q3) : std::string());
             table.cell(std::to_string(point.value ? point.value->count : 0));
             table.cell(std::to_string(point.solved));
             table.cell(std::to_string(point.runs));

@@ -17,9 +17,9 @@ namespace mrpp
 struct FigurePoint
 {
     double at = 0;                  ///< the swept value, or the row's index
-    std::optional<Quartiles> value; ///< over the solved runs; nothing where there is none
-    std::size_t solved = 0;
-    std::size_t runs = 0;
+    std::optional<Quartiles> value; ///< RunGroup::cost(), or nothing
+    std::size_t solved = 0;         ///< instances
+    std::size_t runs = 0;           ///< instances that count for success
 };
 
 /// A fitted law at one place.
@@ -43,13 +43,14 @@ struct FigurePair
 struct FigureSeries
 {
     std::string label;
-    std::size_t style = 0;           ///< index of its CurveStyle
-    std::vector<FigurePoint> points; ///< of curves and comparisons
-    std::vector<StepPoint> steps;    ///< of steps
-    std::vector<double> sample;      ///< of boxes
-    std::vector<FigureFit> fit;      ///< of curves: a law beside the points
-    double meanRank = 0;             ///< of ranks
-    std::size_t solved = 0;          ///< of series without points
+    std::size_t style = 0;             ///< index of its CurveStyle
+    std::vector<FigurePoint> points;   ///< of curves and comparisons
+    std::vector<StepPoint> steps;      ///< of steps
+    std::vector<double> sample;        ///< of boxes
+    std::vector<FigureFit> fit;        ///< of curves: a law beside the points
+    std::optional<double> heldOutFrom; ///< of a fit: sizes from here on were foretold
+    double meanRank = 0;               ///< of ranks
+    std::size_t solved = 0;            ///< of series without points
     std::size_t runs = 0;
     std::string remark; ///< behind its name in the legend
 };
@@ -91,9 +92,8 @@ struct Figure
     std::vector<FigureSeries> series;
     std::string boundLabel; ///< empty where there is no bound
     std::vector<FigureBound> bounds;
-    std::optional<double> heldOutFrom; ///< of curves with fits: sizes from here on were foretold
-    std::vector<FigurePair> pairs;     ///< of scatter; its two series name the planners
-    double criticalDifference = 0;     ///< of ranks
+    std::vector<FigurePair> pairs; ///< of scatter; its two series name the planners
+    double criticalDifference = 0; ///< of ranks
     std::vector<std::pair<std::size_t, std::size_t>>
         groups; ///< of ranks: first and last series that are not told apart; series in the order of their
                 ///< ranks

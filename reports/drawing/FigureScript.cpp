@@ -38,9 +38,9 @@ void addMarkers(std::vector<std::string> &items, const std::string &data, const 
         items.push_back(fmt::format("{} using {} with points pt {} ps 0.7 {} notitle", data,
                                     fmt::format(fmt::runtime(columns), condition), marker, ink));
     };
-    add("$5==$6", style.filledMarker, inkOf(style));
-    add("$5<$6", style.filledMarker, "lc rgb '#ffffff'");
-    add("$5<$6", style.hollowMarker, inkOf(style));
+    add("$3==$4", style.filledMarker, inkOf(style));
+    add("$3<$4", style.filledMarker, "lc rgb '#ffffff'");
+    add("$3<$4", style.hollowMarker, inkOf(style));
 }
 
 void writePoints(Script &script, const Figure &figure, double unit, const std::vector<double> &shift)
@@ -48,27 +48,52 @@ void writePoints(Script &script, const Figure &figure, double unit, const std::v
     for (std::size_t i = 0; i < figure.series.size(); ++i)
     {
         Script::Blocks values(1);
+        Script::Blocks bands(1);
         Script::Blocks success(1);
+        const auto end = [](Script::Blocks &blocks) // of a piece without gaps
+        {
+            if (!blocks.back().empty())
+                blocks.emplace_back();
+        };
         for (const FigurePoint &point : figure.series[i].points)
         {
+            const double at = point.at + shift[i];
             const auto solved = static_cast<double>(point.solved);
             const auto runs = static_cast<double>(point.runs);
-            success[0].push_back({point.at + shift[i], runs > 0 ? 100 * solved / runs : 0});
+            if (runs > 0)
+                success[0].push_back({at, 100 * solved / runs});
             if (point.value)
-                values.back().push_back({point.at + shift[i], point.value->median / unit,
-                                         point.value->q1 / unit, point.value->q3 / unit, solved, runs, 0});
-            else if (!values.back().empty())
-                values.emplace_back();
+                values.back().push_back({at, point.value->median / unit, solved, runs});
+            else
+                end(values);
+            if (point.value && point.value->hasBand())
+                bands.back().push_back({at, point.value->q1 / unit, point.value->q3 / unit, 0});
+            else
+                end(bands);
         }
-        if (values.back().empty())
-            values.pop_back();
-        for (std::vector<Script::Row> &piece : values) // a band of one point is nothing to see; it gets a bar
+        for (Script::Blocks *blocks : {&values, &bands})
+            if (blocks->back().empty())
+                blocks->pop_back();
+        for (std::vector<Script::Row> &piece : bands) // a band of one point is nothing to see; it gets a bar
             if (piece.size() == 1)
                 piece.front().back() = 1;
         script.block(fmt::format("values_{}", i), values);
+        script.block(fmt::format("band_{}", i), bands);
         if (!figure.isPercentage)
             script.block(fmt::format("success_{}", i), success);
     }
+}
+
+bool hasBand(const FigureSeries &series)
+{
+    return std::any_of(series.points.begin(), series.points.end(),
+                       [](const FigurePoint &point) { return point.value && point.value->hasBand(); });
+}
+
+bool hasShare(const FigureSeries &series)
+{
+    return std::any_of(series.points.begin(), series.points.end(),
+                       [](const FigurePoint &point) { return point.runs > 0; });
 }
 
 std::vector<double> pointValues(const Figure &figure)
@@ -77,7 +102,11 @@ std::vector<double> pointValues(const Figure &figure)
     for (const FigureSeries &series : figure.series)
         for (const FigurePoint &point : series.points)
             if (point.value)
-                values.insert(values.end(), {point.value->q1, point.value->q3});
+            {
+                values.push_back(point.value->median);
+                if (point.value->hasBand())
+                    values.insert(values.end(), {point.value->q1, point.value->q3});
+            }
     for (const FigureBound &bound : figure.bounds)
         values.push_back(bound.value);
     return values;

@@ -44,9 +44,13 @@ std::string verdict(const std::string &planner, const ScalingFit &fit)
     const ScalingModel &other = best.law == ScalingLaw::power ? fit.exponential : fit.power;
     const char *name = best.law == ScalingLaw::power ? "power law" : "exponential law";
     const char *otherName = best.law == ScalingLaw::power ? "exponential" : "power law";
-    return fmt::format(" {}: the {}, off by {:.2f} (the {} by {:.2f}), {} of {} within its band.", planner,
-                       name, std::pow(10.0, best.heldOutError), otherName, std::pow(10.0, other.heldOutError),
-                       best.heldOutWithin, fit.heldOut);
+    std::string text = fmt::format(" {}: the {}, off by {:.2f} (the {} by {:.2f}), {} of {} within its band",
+                                   planner, name, std::pow(10.0, best.heldOutError), otherName,
+                                   std::pow(10.0, other.heldOutError), best.heldOutWithin, fit.heldOut);
+    if (fit.leftOut > 0)
+        text += fmt::format("; {} left out, where no more than half of the instances were solved",
+                            counted(fit.leftOut, "size"));
+    return text + ".";
 }
 
 } // namespace
@@ -80,14 +84,13 @@ std::optional<Figure> scalingFigure(const FigureList &figures, const ProblemSumm
             const auto at = sizeOf(group, size);
             if (group.planner != planner || !at || *at <= 0)
                 continue;
-            for (const RunRecord *run : group.runs)
-                if (const auto value = run->solved() ? numericValue(*run, column) : std::nullopt;
-                    value && *value > 0)
-                    values[*at].push_back(*value);
+            for (const double value : group.costs(column))
+                if (value > 0)
+                    values[*at].push_back(value);
             FigurePoint &point = points[*at];
             point.at = *at;
             point.solved += group.solved();
-            point.runs += group.runs.size();
+            point.runs += group.counted();
         }
         if (points.empty())
             continue;
@@ -99,7 +102,7 @@ std::optional<Figure> scalingFigure(const FigureList &figures, const ProblemSumm
         {
             if (const auto own = values.find(at); own != values.end())
             {
-                point.value = quartiles(own->second);
+                point.value = censoredQuartiles(own->second);
                 sizes.push_back({at, own->second});
             }
             series.points.push_back(point);
@@ -111,6 +114,8 @@ std::optional<Figure> scalingFigure(const FigureList &figures, const ProblemSumm
             anything = true;
             const ScalingModel &model = fit.better();
             series.remark = lawText(model);
+            std::erase_if(sizes,
+                          [](const ScalingPoint &size) { return !std::isfinite(median(size.values)); });
             const double ratio = sizes.back().size / sizes.front().size;
             for (std::size_t i = 0; i < kFitPoints; ++i)
             {
@@ -120,9 +125,7 @@ std::optional<Figure> scalingFigure(const FigureList &figures, const ProblemSumm
                 const Interval band = model.band(at);
                 series.fit.push_back({at, model.at(at), band.low, band.high});
             }
-            const double seen = sizes[fit.fitted - 1].size;
-            figure.heldOutFrom =
-                std::max(figure.heldOutFrom.value_or(0), std::sqrt(seen * sizes[fit.fitted].size));
+            series.heldOutFrom = fit.splitAt;
         }
         else
             refusal = fit.refusal;
@@ -132,15 +135,17 @@ std::optional<Figure> scalingFigure(const FigureList &figures, const ProblemSumm
         return std::nullopt;
     figure.title = fmt::format("Scaling of {}{} on {}", spaced(column),
                                size == kVertices ? "" : " with " + spaced(size), oneLine(problem.problem));
-    figure.caption = fmt::format(
-        "{} on {} ({}) against the {} n, both axes logarithmic. Markers and bars: median and quartiles of "
-        "the "
-        "solved runs, hollow where not every run was solved; lines and bands: the better of a power law and "
-        "an "
-        "exponential law with its 95 % bootstrap band, fitted to the sizes left of the dashed line. By what "
-        "factor it misses the larger sizes, typically:{}",
-        measureName(column), oneLine(problem.problem), spaced(problem.model),
-        size == kVertices ? "number of vertices" : spaced(size), verdicts);
+    figure.caption = fmt::format("{} on {} ({}) against the {} n, both axes logarithmic. Markers and bars: "
+                                 "median and quartiles of the instances "
+                                 "at each size, those without an answer standing above all others, hollow "
+                                 "where not every instance was solved, "
+                                 "none where no more than half were; lines and bands: the better of a power "
+                                 "law and an exponential law with its "
+                                 "95 % bootstrap band, fitted to the sizes left of the dashed line in the "
+                                 "planner's colour. By what factor it "
+                                 "misses the larger sizes, typically:{}",
+                                 measureName(column), oneLine(problem.problem), spaced(problem.model),
+                                 size == kVertices ? "number of vertices" : spaced(size), verdicts);
     return figure;
 }
 

@@ -28,14 +28,18 @@ struct MeasureScale
 [[nodiscard]] MeasureScale scaleOf(const std::string &measure, std::vector<double> values,
                                    std::optional<bool> logarithmic);
 
-/// The items that draw the points of $values_i: filled markers where every run was solved, hollow ones where
-/// only some were. \param columns of gnuplot's `using`, with {} for the condition
+/// The items that draw the points of $values_i: filled markers where every instance was solved, hollow ones
+/// where only some were. \param columns of gnuplot's `using`, with {} for the condition
 void addMarkers(std::vector<std::string> &items, const std::string &data, const std::string &columns,
                 const CurveStyle &style);
 
-/// Writes $values_i and $success_i of curves and comparisons. \param shift of the i-th series along the
-/// places
+/// Writes $values_i (place, median, solved, of how many), $band_i (place, quartiles, 1 where it stands alone)
+/// and $success_i of curves and comparisons. \param shift of the i-th series along the places
 void writePoints(Script &script, const Figure &figure, double unit, const std::vector<double> &shift);
+
+/// Whether $band_i, and whether $success_i, has rows.
+[[nodiscard]] bool hasBand(const FigureSeries &series);
+[[nodiscard]] bool hasShare(const FigureSeries &series);
 
 /// All values of a figure's points and bounds.
 [[nodiscard]] std::vector<double> pointValues(const Figure &figure);

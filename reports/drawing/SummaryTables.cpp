@@ -14,6 +14,7 @@
 #include <limits>
 #include <map>
 #include <tuple>
+#include <unordered_map>
 
 namespace mrpp
 {
@@ -42,23 +43,28 @@ std::string twoDecimals(double value)
 
 constexpr std::size_t kTime = 5; ///< its place among the measures: shown in a unit of its own
 constexpr std::array<Measure, 6> kMeasures = {{
-    {"Path length", [](const RunGroup &g) { return g.overSolved("path_length"); }, wholeNumber},
-    {"Path length, optimized", [](const RunGroup &g) { return g.overSolved("optimized_path_length"); },
+    {"Path length", [](const RunGroup &g) { return g.cost("path_length"); }, wholeNumber},
+    {"Path length, optimized", [](const RunGroup &g) { return g.cost("optimized_path_length"); },
      wholeNumber},
     {"Path length / bound",
      [](const RunGroup &g) { return g.ratio("path_length", "path_length_lower_bound"); }, twoDecimals},
-    {"Makespan", [](const RunGroup &g) { return g.overSolved("makespan"); }, wholeNumber},
-    {"Makespan, optimized", [](const RunGroup &g) { return g.overSolved("optimized_makespan"); },
-     wholeNumber},
-    {"Time", [](const RunGroup &g) { return g.overSolved("time"); }, threeDigits},
+    {"Makespan", [](const RunGroup &g) { return g.cost("makespan"); }, wholeNumber},
+    {"Makespan, optimized", [](const RunGroup &g) { return g.cost("optimized_makespan"); }, wholeNumber},
+    {"Time", [](const RunGroup &g) { return g.cost("time"); }, threeDigits},
 }};
 
-/// "7/10", or "7/10 (8 solvable)" where some instances have no solution.
+/// "7/8", or "7/8, 2 proved, 1 not applicable" where some instances have no solution, or are not for the
+/// planner.
 std::string solvedOf(const RunGroup &group)
 {
-    const std::string all = fmt::format("{}/{}", group.solved(), group.runs.size());
-    return group.solvable() == group.runs.size() ? all
-                                                 : fmt::format("{} ({} solvable)", all, group.solvable());
+    std::string text = fmt::format("{}/{}", group.solved(), group.counted());
+    const std::size_t proved = group.count(Outcome::proved);
+    const std::size_t others = group.count(Outcome::doesNotApply);
+    if (proved > 0)
+        text += fmt::format(", {} proved", proved);
+    if (others > 0)
+        text += fmt::format(", {} not applicable", others);
+    return text;
 }
 
 /// The groups of one sweep point or problem, which stand in rows below each other.
@@ -97,9 +103,9 @@ void addRows(SummaryTable &table, const Place &place, const TimeUnit &unit)
     }
     for (std::size_t i = 0; i < groups.size(); ++i)
     {
-        const bool failed = groups[i].solved() == 0;
+        const bool failed = groups[i].solved() == 0 && groups[i].counted() > 0;
         std::vector<PdfTableCell> row = {{place.name},
-                                         {groups[i].planner},
+                                         {withRule(groups[i].planner, groups[i].rule)},
                                          {solvedOf(groups[i]), failed ? Emphasis::warning : Emphasis::none}};
         for (std::size_t m = 0; m < kMeasures.size(); ++m)
         {
@@ -109,7 +115,8 @@ void addRows(SummaryTable &table, const Place &place, const TimeUnit &unit)
                 continue;
             }
             const double median = values[i][m]->median;
-            const bool isBest = groups.size() > 1 && groups[i].solved() == mostSolved && median == best[m];
+            const bool isLeast = m == kTime ? kAlikeTimes(best[m], median) : median == best[m];
+            const bool isBest = groups.size() > 1 && groups[i].solved() == mostSolved && isLeast;
             const double shown = m == kTime ? median / unit.seconds : median;
             row.push_back({kMeasures[m].format(shown), isBest ? Emphasis::best : Emphasis::none});
         }
@@ -127,7 +134,7 @@ SummaryTable makeTable(const Draft &draft)
     const TimeUnit unit = timeUnit(times);
     SummaryTable table;
     table.title = draft.title;
-    table.columns = {{draft.placeTitle}, {"Planner"}, {"Solved / runs", true}};
+    table.columns = {{draft.placeTitle}, {"Planner"}, {"Solved", true}};
     for (const Measure &measure : kMeasures)
         table.columns.push_back({measure.title, true});
     table.columns.back().title += fmt::format(" ({})", unit.name);
@@ -174,43 +181,81 @@ std::vector<SummaryTable> summaryTables(std::span<const RunRecord> records)
 
 SummaryTable plannerTable(std::span<const RunRecord> records, double timeLimit)
 {
-    std::vector<std::string> planners;
-    std::map<std::string, std::map<PlannerStatus, std::size_t>> statuses;
-    std::map<std::string, std::vector<std::optional<double>>> times;
+    struct Planner
+    {
+        std::string name;
+        std::string rule;
+        std::size_t runs = 0;
+        std::vector<Answer> answers;
+        std::unordered_map<std::size_t, std::size_t> byInstance = {};
+    };
+    std::vector<Planner> planners;
+    std::map<std::string, std::size_t> positions;
+    InstanceNumbers instances(records);
     for (const RunRecord &record : records)
     {
-        times[record.planner].push_back(record.solved() ? record.time : std::nullopt);
-        if (!statuses.contains(record.planner))
-            planners.push_back(record.planner);
-        ++statuses[record.planner][record.status];
+        const auto [position, isNew] = positions.try_emplace(record.planner, planners.size());
+        if (isNew)
+            planners.push_back({record.planner, record.rule, 0, {}});
+        Planner &planner = planners[position->second];
+        ++planner.runs;
+        const auto [answer, isFirst] =
+            planner.byInstance.try_emplace(instances.of(record), planner.answers.size());
+        if (isFirst)
+            planner.answers.emplace_back();
+        planner.answers[answer->second].add(record);
     }
     SummaryTable table;
     table.title = "Planners";
-    table.columns = {{"Planner"},          {"Runs", true},          {"Solved", true},
-                     {"Solved (%)", true}, {"95 % interval", true}, {"PAR-2 (s)", true},
-                     {"PAR-10 (s)", true}, {"Other ends"}};
-    for (const std::string &planner : planners)
+    table.columns = {{"Planner"},         {"Runs", true},       {"Instances", true},
+                     {"Solved", true},    {"Proved", true},     {"Not applicable", true},
+                     {"Failed", true},    {"Solved (%)", true}, {"95 % interval", true},
+                     {"PAR-2 (s)", true}, {"PAR-10 (s)", true}, {"Failures"}};
+    for (const Planner &planner : planners)
     {
-        std::size_t runs = 0;
-        std::string others;
-        for (const auto &[status, count] : statuses[planner])
+        std::map<Outcome, std::size_t> outcomes;
+        std::map<PlannerStatus, std::size_t> failures;
+        std::vector<std::optional<double>> times;
+        std::size_t hopeless = 0; // failures on instances without a solution
+        for (const Answer &answer : planner.answers)
         {
-            runs += count;
-            if (status != PlannerStatus::solved)
-                others += fmt::format("{}{} {}", others.empty() ? "" : ", ", count, spaced(toString(status)));
+            ++outcomes[answer.outcome()];
+            if (answer.counts())
+                times.push_back(answer.cost("time"));
+            if (answer.outcome() != Outcome::failed)
+                continue;
+            ++failures[answer.status()];
+            hopeless += answer.unsolvable() ? 1 : 0;
         }
-        const std::size_t solved = statuses[planner][PlannerStatus::solved];
-        const bool isInvalid = statuses[planner].contains(PlannerStatus::invalid);
-        const Interval interval = wilsonInterval(solved, runs);
+        std::string others;
+        for (const auto &[status, count] : failures)
+            others += fmt::format("{}{} {}", others.empty() ? "" : ", ", count, spaced(toString(status)));
+        if (hopeless > 0)
+            others += fmt::format("; {} of them without a solution", hopeless);
+        const std::size_t solved = outcomes[Outcome::solved];
+        const Interval interval = wilsonInterval(solved, times.size());
+        const auto average = [&](double factor)
+        {
+            const auto time = penalizedAverage(times, timeLimit, factor);
+            return time ? threeDigits(*time) : std::string("–");
+        };
+        const std::string percent = times.empty()
+                                        ? "–"
+                                        : fmt::format("{:.1f}", 100 * static_cast<double>(solved) /
+                                                                    static_cast<double>(times.size()));
         table.rows.push_back(
-            {{planner},
-             {std::to_string(runs)},
+            {{withRule(planner.name, planner.rule)},
+             {std::to_string(planner.runs)},
+             {std::to_string(planner.answers.size())},
              {std::to_string(solved)},
-             {fmt::format("{:.1f}", 100 * static_cast<double>(solved) / static_cast<double>(runs))},
-             {fmt::format("{:.1f}–{:.1f}", 100 * interval.low, 100 * interval.high)},
-             {threeDigits(penalizedAverage(times[planner], timeLimit, 2).value_or(0))},
-             {threeDigits(penalizedAverage(times[planner], timeLimit, 10).value_or(0))},
-             {others, isInvalid ? Emphasis::warning : Emphasis::none}});
+             {std::to_string(outcomes[Outcome::proved])},
+             {std::to_string(outcomes[Outcome::doesNotApply])},
+             {std::to_string(outcomes[Outcome::failed])},
+             {percent},
+             {times.empty() ? "–" : fmt::format("{:.1f}–{:.1f}", 100 * interval.low, 100 * interval.high)},
+             {average(2)},
+             {average(10)},
+             {others, failures.contains(PlannerStatus::invalid) ? Emphasis::warning : Emphasis::none}});
     }
     return table;
 }

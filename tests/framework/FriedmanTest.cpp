@@ -63,7 +63,7 @@ TEST(Friedman, RefusesAndSaysWhy)
 {
     const FriedmanTest few = friedmanTest(std::vector<std::vector<double>>(9, {1, 2, 3}));
     EXPECT_FALSE(few.p);
-    EXPECT_EQ(few.refusal, "only 9 problems were solved by all planners; it needs 10");
+    EXPECT_EQ(few.refusal, "only 9 points had an answer of any planner; it needs 10");
     EXPECT_EQ(friedmanTest(std::vector<std::vector<double>>(20, {1, 2})).refusal,
               "it compares three planners or more");
     EXPECT_EQ(friedmanTest(std::vector<std::vector<double>>(20, {1, 2, 3})).p, 0);

@@ -46,5 +46,16 @@ TEST(Profiles, ABestOfNothingIsMatchedByNothingAlone)
     EXPECT_EQ(performanceProfiles({{1, std::nullopt}})[1], (Steps{{1, 0}}));
 }
 
+TEST(Profiles, TimesThatHardlyDifferAreBothTheBest)
+{
+    // 3 and 4 µs; 1 and 1.09 ms, in which 0.09 ms are nothing; 1 and 1.05 s, less than a tenth; 1 and 1.2 s.
+    const std::vector<std::vector<std::optional<double>>> times = {
+        {3e-6, 4e-6}, {1e-3, 1.09e-3}, {1, 1.05}, {1, 1.2}};
+    const auto profiles = performanceProfiles(times, kAlikeTimes);
+    EXPECT_EQ(profiles[0], (Steps{{1, 1}}));
+    EXPECT_EQ(profiles[1], (Steps{{1, 0.75}, {1.2, 1}}));
+    EXPECT_EQ(performanceProfiles(times)[1].front(), (StepPoint{1, 0}));
+}
+
 } // namespace
 } // namespace mrpp

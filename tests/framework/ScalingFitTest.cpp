@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <gtest/gtest.h>
+#include <limits>
 
 namespace mrpp
 {
@@ -72,10 +73,44 @@ TEST(ScalingFit, BandsWidenBeyondWhatWasSeen)
     EXPECT_GT(width(40), width(12));
 }
 
+TEST(ScalingFit, CountsFailuresAsAboveTheLimit)
+{
+    // The law is n², and the limit 900: what is above it failed. Without the failures the largest sizes bend
+    // down.
+    constexpr double kFailed = std::numeric_limits<double>::infinity();
+    std::vector<ScalingPoint> points = observe(kSizes, [](double n) { return n * n; });
+    for (ScalingPoint &point : points)
+        for (double &value : point.values)
+            value = value > 900 ? kFailed : value;
+    const ScalingFit fit = fitScaling(points);
+    EXPECT_EQ(fit.refusal, "");
+    EXPECT_EQ(fit.leftOut, 3U); // 32, 36 and 40; of 28 four of seven are below
+    EXPECT_EQ(fit.fitted, 5U);
+    EXPECT_EQ(fit.heldOut, 2U);
+    EXPECT_NEAR(fit.splitAt, std::sqrt(20.0 * 24), 1e-12);
+    EXPECT_NEAR(fit.power.rate, 2, 1e-9);
+    EXPECT_NEAR(fit.power.heldOutError, 0, 1e-9);
+    EXPECT_EQ(fit.power.heldOutWithin, 2U);
+    EXPECT_TRUE(std::isfinite(fit.power.band(40).high));
+}
+
+TEST(ScalingFit, LeavesASizeOutOfAResampleThatFailed)
+{
+    constexpr double kFailed = std::numeric_limits<double>::infinity();
+    std::vector<ScalingPoint> points = observe(kSizes, [](double n) { return n; });
+    for (ScalingPoint &point : points)
+        point.values = {point.size * 0.9, point.size, point.size * 1.1, kFailed, kFailed};
+    const ScalingFit fit = fitScaling(points);
+    EXPECT_EQ(fit.leftOut, 0U);
+    EXPECT_TRUE(std::isfinite(fit.power.rateInterval().low) && std::isfinite(fit.power.rateInterval().high));
+    EXPECT_GT(fit.power.resampled.size(), 900U);
+}
+
 TEST(ScalingFit, RefusesAndSaysWhy)
 {
     const auto same = [](double n) { return n; };
-    EXPECT_EQ(fitScaling(observe({1, 2, 3, 4}, same)).refusal, "only 4 sizes were solved; a fit needs 5");
+    EXPECT_EQ(fitScaling(observe({1, 2, 3, 4}, same)).refusal,
+              "only 4 sizes had more than half of their instances solved; a fit needs 5");
     EXPECT_EQ(fitScaling(observe({10, 11, 12, 13, 14}, same)).refusal,
               "the sizes do not even double, so that any law fits");
 }

@@ -39,9 +39,10 @@ FakeCampaign::FakeCampaign(std::string name, std::int64_t repetitions)
     plan_.file = "plan.yaml";
 }
 
-FakeCampaign &FakeCampaign::planner(const std::string &name)
+FakeCampaign &FakeCampaign::planner(const std::string &name, MotionRule rule)
 {
     plan_.planners.push_back({"fake" + std::to_string(plan_.planners.size()), name, {}});
+    plan_.planners.back().motion = rule;
     return *this;
 }
 

@@ -22,7 +22,7 @@ public:
 
     explicit FakeCampaign(std::string name, std::int64_t repetitions = 1);
 
-    FakeCampaign &planner(const std::string &name);
+    FakeCampaign &planner(const std::string &name, MotionRule rule = MotionRule::pebble);
     FakeCampaign &planners(std::size_t count);
     FakeCampaign &problem(const std::string &model, const std::string &name, const Instance &instance);
     /// One point for each value, all with the same instance unless `makeInstance` says otherwise.

@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <limits>
 
 namespace mrpp
 {
@@ -50,13 +51,16 @@ TEST(Findings, SayWhoNeedsFewerMovesWithNumbers)
     EXPECT_EQ(moves.comparison.pairs, 40U);
     EXPECT_EQ(moves.comparison.firstLess, 36U);
     EXPECT_TRUE(moves.isSignificant());
-    EXPECT_THAT(moves.sentence(),
-                HasSubstr("push_and_rotate needs fewer moves than push_and_swap on 18 of 20 points, "
-                          "median ratio 0.75, 95 % CI 0.75–0.75 (40 cases that both solved, fewer on "
-                          "36, more on 4; Wilcoxon signed-rank p < 0.001, Holm-corrected; A12 = 0."));
+    EXPECT_THAT(
+        moves.sentence(),
+        HasSubstr(
+            "push_and_rotate (pebble) needs fewer moves than push_and_swap (pebble) on 18 of 20 points, "
+            "median ratio 0.75, 95 % CI 0.75–0.75 (40 instances that both solved, less on 36, more on "
+            "4; Wilcoxon signed-rank p < 0.001, Holm-corrected; rank-biserial correlation 0."));
     EXPECT_THAT(findings.sentences(),
-                ::testing::Contains("No difference in what they solve is shown between push_and_rotate and "
-                                    "push_and_swap."));
+                ::testing::Contains(
+                    "Not tested for what they solve: push_and_rotate (pebble) and push_and_swap (pebble) "
+                    "(only 0 of 40 instances by one of them alone; a test needs 6)."));
 }
 
 TEST(Findings, SayWhoSolvesMore)
@@ -65,12 +69,11 @@ TEST(Findings, SayWhoSolvesMore)
     const Findings findings = findingsOf(caseTable(sweep({"a", "b"}, fails)));
     ASSERT_EQ(findings.success.size(), 1U);
     EXPECT_EQ(findings.success[0].onlyFirst, 16U);
-    EXPECT_NEAR(findings.success[0].p, 2.0 / 65536, 1e-12);
-    EXPECT_THAT(
-        findings.success[0].sentence(),
-        HasSubstr(
-            "a solves more than b: 16 cases that b does not, against 0 the other way; 100.0 % [91.2, 100.0] "
-            "against 60.0 % [44.6, 73.7] of 40 cases"));
+    EXPECT_NEAR(findings.success[0].p.value(), 2.0 / 65536, 1e-12);
+    EXPECT_THAT(findings.success[0].sentence(),
+                HasSubstr("a (pebble) solves more than b (pebble): 16 instances that b (pebble) does not, "
+                          "against 0 the other way; "
+                          "100.0 % [91.2, 100.0] against 60.0 % [44.6, 73.7] of 40 instances"));
     EXPECT_EQ(findings.costs[0].comparison.pairs, 24U); // the others are no pairs
 }
 
@@ -79,10 +82,11 @@ TEST(Findings, RefuseWhereThereIsTooLittle)
     const auto fails = [](const RunRecord &run) { return *run.sweepValue > 2; };
     const Findings findings = findingsOf(caseTable(sweep({"a", "b"}, fails)));
     EXPECT_FALSE(findings.costs[0].p);
-    EXPECT_FALSE(findings.costs[0].comparison.ratioInterval);
-    EXPECT_THAT(findings.sentences(),
-                ::testing::Contains("Not tested for moves: a and b (only 4 of 4 pairs differ; a "
-                                    "test needs 6)."));
+    EXPECT_FALSE(findings.costs[0].comparison.ratioInterval); // of four
+    EXPECT_THAT(
+        findings.sentences(),
+        ::testing::Contains("Not tested for moves: a (pebble) and b (pebble) (only 4 of 4 pairs differ; a "
+                            "test needs 6)."));
 }
 
 TEST(Findings, HolmCountsEveryTest)
@@ -93,6 +97,143 @@ TEST(Findings, HolmCountsEveryTest)
     // a and c are the same: all pairs tie, so that nothing is tested.
     EXPECT_EQ(three.costs[1].comparison.test.refusal, "only 0 of 40 pairs differ; a test needs 6");
     EXPECT_NEAR(*three.costs[0].p, 2 * *three.costs[0].comparison.test.p, 1e-15);
+}
+
+/// Two planners on a hundred instances, or as many copies of one.
+ResultTable hundred(const FakeCampaign::Outcome &outcome, bool areCopies = false,
+                    MotionRule second = MotionRule::pebble)
+{
+    FakeCampaign campaign("hundred", 100);
+    campaign.planner("A").planner("B", second).problem("m", "p", gridInstance(4, 1));
+    return campaign.run(
+        [&](RunRecord &record, std::size_t planner)
+        {
+            solveSmoothly(record, 0);
+            record.instanceFingerprint = areCopies ? "one" : std::to_string(record.repetition);
+            outcome(record, planner);
+        });
+}
+
+TEST(Findings, TakeTheirDirectionFromTheStatistic)
+{
+    // A is a little shorter on 52 instances and much longer on the others: the ranks are in favour of B.
+    const Findings findings = findingsOf(caseTable(hundred(
+        [](RunRecord &record, std::size_t planner)
+        {
+            record.pathLength = planner == 1 ? 100 : record.repetition < 52 ? 96 : 200;
+            record.makespan = 5;
+            record.time = 1;
+        })));
+    const CostFinding &moves = findings.costs.front();
+    EXPECT_TRUE(moves.isSignificant());
+    EXPECT_FALSE(moves.isClear());
+    EXPECT_EQ(moves.first, "B");
+    for (const std::string &sentence : findings.sentences())
+        EXPECT_THAT(sentence, ::testing::Not(HasSubstr("fewer moves")));
+    EXPECT_THAT(
+        moves.sentence(),
+        HasSubstr(
+            "B (pebble) and A (pebble) differ in moves without a clear direction: the signed ranks are in "
+            "favour of the first (rank-biserial correlation 0."));
+    EXPECT_THAT(moves.sentence(), HasSubstr("its median ratio to the second is 1.04"));
+}
+
+TEST(Findings, OfCopiesOfOneInstanceAreNotTested)
+{
+    const Findings findings = findingsOf(caseTable(hundred(
+        [](RunRecord &record, std::size_t planner)
+        {
+            record.pathLength = planner == 1 ? 100 : 79;
+            record.time = (planner == 1 ? 2 : 1) * (1 + 0.01 * static_cast<double>(record.repetition));
+        },
+        true)));
+    EXPECT_EQ(findings.costs.front().comparison.pairs, 1U);
+    for (const CostFinding &finding : findings.costs)
+        EXPECT_FALSE(finding.p);
+    for (const SuccessFinding &finding : findings.success)
+        EXPECT_FALSE(finding.p);
+    EXPECT_EQ(findings.success.front().cases, 1U);
+    EXPECT_NEAR(findings.costs.back().comparison.medianRatio, 0.5, 1e-12); // of the copies' median times
+}
+
+TEST(Findings, CountProofsApartFromWhatIsSolved)
+{
+    // A tenth has no solution: B proves it, A gives up.
+    const Findings findings = findingsOf(caseTable(hundred(
+        [](RunRecord &record, std::size_t planner)
+        {
+            if (record.repetition >= 10)
+                return;
+            record.status = planner == 1 ? PlannerStatus::infeasible : PlannerStatus::gave_up;
+            record.solvable = "no";
+        })));
+    ASSERT_EQ(findings.success.size(), 2U);
+    EXPECT_EQ(findings.success[0].kind, SuccessFinding::Kind::solved);
+    EXPECT_EQ(findings.success[0].cases, 90U);
+    EXPECT_EQ(findings.success[0].firstAnswered, 90U);
+    EXPECT_EQ(findings.success[0].secondAnswered, 90U);
+    EXPECT_EQ(findings.success[1].kind, SuccessFinding::Kind::proved);
+    EXPECT_EQ(findings.success[1].cases, 10U);
+    EXPECT_EQ(findings.success[1].first, "B");
+    EXPECT_THAT(findings.success[1].sentence(),
+                HasSubstr("B (pebble) proves more instances unsolvable than A (pebble): 10 "
+                          "that A (pebble) does not, against 0 the other way"));
+}
+
+TEST(Findings, LeaveOutWhatOneOfThemIsNotFor)
+{
+    const Findings findings = findingsOf(caseTable(hundred(
+        [](RunRecord &record, std::size_t planner)
+        {
+            if (planner == 1 && record.repetition < 60)
+                record.status = PlannerStatus::unsupported;
+        })));
+    EXPECT_EQ(findings.success.front().cases, 40U);
+    EXPECT_FALSE(findings.success.front().p);
+}
+
+TEST(Findings, SayWhereMotionRulesDiffer)
+{
+    const Findings findings =
+        findingsOf(caseTable(hundred([](RunRecord &, std::size_t) {}, false, MotionRule::rotation)));
+    EXPECT_THAT(findings.sentences().front(),
+                HasSubstr("obey different motion rules (pebble: A; rotation: B)"));
+    EXPECT_EQ(findingsOf(caseTable(hundred([](RunRecord &, std::size_t) {}))).caveat, "");
+}
+
+TEST(Findings, DoNotCallPlannersFasterByLessThanATenth)
+{
+    const auto timed = [](double factor)
+    {
+        return findingsOf(caseTable(hundred(
+                              [factor](RunRecord &record, std::size_t planner)
+                              {
+                                  record.pathLength = 10;
+                                  record.makespan = 5;
+                                  record.time = (planner == 1 ? factor : 1) *
+                                                (1 + 0.01 * static_cast<double>(record.repetition));
+                              })))
+            .sentences();
+    };
+    EXPECT_THAT(timed(1.2), ::testing::Contains(HasSubstr("A (pebble) is faster than B (pebble)")));
+    EXPECT_THAT(timed(1.05), ::testing::Not(::testing::Contains(HasSubstr("is faster"))));
+    EXPECT_THAT(timed(1.05),
+                ::testing::Contains(HasSubstr("Differences in time that are more than chance, but less than "
+                                              "a tenth: A (pebble) and B (pebble) (median ratio 0.95, p < "
+                                              "0.001).")));
+}
+
+TEST(RatioText, ShowsWhatTellsARatioFromNothingAndFromOne)
+{
+    EXPECT_EQ(ratioText(1), "1");
+    EXPECT_EQ(ratioText(0), "0");
+    EXPECT_EQ(ratioText(0.714), "0.71");
+    EXPECT_EQ(ratioText(12.345), "12.35");
+    EXPECT_EQ(ratioText(1.0003), "1.0003");
+    EXPECT_EQ(ratioText(0.9996), "0.9996");
+    EXPECT_EQ(ratioText(0.0004), "0.0004");
+    EXPECT_EQ(ratioText(1e-12), "1e-12");
+    EXPECT_EQ(ratioText(std::numeric_limits<double>::infinity()), "∞");
 }
 
 TEST(Findings, OfOnePlannerAreNone)

@@ -63,8 +63,8 @@ async function picture(name: string): Promise<void> {
 
 test("every view is shown", async () => {
     for (const [hash, wanted] of [
-        ["view=overview", "Medians over the solved runs"],
-        ["view=charts", "push_and_swap: 3 of 3 runs solved"],
+        ["view=overview", "Distinct instances"],
+        ["view=charts", "push_and_swap: 3 of 3 instances solved"],
         ["view=runs&run=0", "mrppsim replay"],
         ["view=player", "push_and_swap, condensed"],
     ]) {

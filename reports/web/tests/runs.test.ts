@@ -62,7 +62,7 @@ test("quartiles are those of the program", () => {
     assert.equal(quartiles([]), null);
 });
 
-test("a sweep has medians over the solved runs, and gaps where none was", () => {
+test("a sweep has medians, and gaps where no more than half of the instances were solved", () => {
     const { curves, dots } = buildChart(campaign(), kPlanners, kSettings);
     assert.deepEqual(
         curves.map(({ x, y }) => ({ x, y })),
@@ -71,10 +71,10 @@ test("a sweep has medians over the solved runs, and gaps where none was", () => 
             { x: [10, 20], y: [4.5, null] },
         ],
     );
-    assert.deepEqual(curves[0].low, [1.5, 12.5]);
+    assert.deepEqual(curves[0].low, [null, null], "two instances make no band");
     assert.deepEqual(
         curves.map(({ name }) => name),
-        ["Alpha: 4 of 4 runs solved", "beta: 2 of 4 runs solved"],
+        ["Alpha: 4 of 4 instances solved", "beta: 2 of 4 instances solved"],
     );
     assert.deepEqual(
         dots.map(({ run }) => run),
@@ -103,7 +103,7 @@ test("a cactus sorts the solved runs", () => {
             { x: [1, 2], y: [4, 5] },
         ],
     );
-    assert.equal(xTitle, "Runs solved (of 4)");
+    assert.equal(xTitle, "Instances solved (of 4)");
 });
 
 test("one planner against another keeps the cases that only one solved, beyond all costs", () => {

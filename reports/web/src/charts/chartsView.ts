@@ -53,7 +53,7 @@ export class ChartsView {
         const names = planners.map(({ name }, i): [string, string] => [String(i), name]);
         this.selects = {
             kind: select("chart", "Chart", kKinds),
-            y: select("y", "Measure", [...numeric, [kSuccess, "Runs solved (%)"]]),
+            y: select("y", "Measure", [...numeric, [kSuccess, "Instances solved (%)"]]),
             x: select("x", "Against", [
                 ["sweep_value", "the swept variable"],
                 [kProblem, "problems side by side"],

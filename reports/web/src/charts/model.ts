@@ -1,8 +1,9 @@
 // What a chart shows, whatever draws it: curves with bands, marks with their quartiles, and a dot for each
 // run.
 import type { PlannerStyle, Runs } from "../data/campaign";
+import { type Answer, Answers, comparedInstances, valuesOf } from "../data/answers";
 import { columnTitle } from "../runs/format";
-import { groupBy, quartiles } from "./groups";
+import { type Middle, groupBy, middleOf } from "./groups";
 
 export type ChartKind = "sweep" | "cactus" | "scatter" | "versus";
 
@@ -26,6 +27,10 @@ export interface Points {
     high: (number | null)[];
 }
 
+const kMedians =
+    "medians over the same instances for all planners shown, no answer standing above all costs (none where no more than " +
+    "half were solved)";
+
 const kNoPoints: Points = { x: [], y: [], low: [], high: [] };
 
 export interface Curve extends Points {
@@ -33,12 +38,9 @@ export interface Curve extends Points {
     planner: number;
 }
 
-export interface Mark {
+export interface Mark extends Middle {
     planner: number;
     x: number;
-    low: number;
-    median: number;
-    high: number;
 }
 
 export interface Dot {
@@ -86,12 +88,14 @@ function runIndices(runs: Runs): number[] {
 class Builder {
     private readonly plannerOf: (run: number) => number;
     private readonly chosen: number[]; // runs of the problem and planners that are shown
+    private readonly answers: Answers;
 
     constructor(
         private readonly runs: Runs,
         private readonly planners: PlannerStyle[],
         private readonly settings: ChartSettings,
     ) {
+        this.answers = new Answers(runs);
         const numbers = new Map(planners.map(({ name }, i) => [name, i]));
         this.plannerOf = (run) => numbers.get(runs.text("planner", run)) ?? -1;
         const shown = settings.kind === "versus" ? [settings.first, settings.second] : settings.planners;
@@ -120,7 +124,7 @@ class Builder {
     }
 
     private title(column: string): string {
-        if (column === kSuccess) return "Runs solved (%)";
+        if (column === kSuccess) return "Instances solved (%)";
         if (column === "sweep_value") {
             const names = new Set(this.chosen.map((run) => this.runs.text("sweep_variable", run)));
             return [...names].join(", ").replaceAll("_", " ") || "sweep value";
@@ -138,17 +142,24 @@ class Builder {
         return `${this.runs.text("planner", run)} on ${this.runs.text("case", run)}`;
     }
 
-    private count(runs: number[]): string {
-        return `${runs.filter((run) => this.isSolved(run)).length} of ${runs.length} runs solved`;
+    private count(answers: Answer[]): string {
+        const counted = answers.filter(({ counts }) => counts).length;
+        return `${answers.filter(({ solved }) => solved).length} of ${counted} instances solved`;
     }
 
-    /** The values of the runs at one place: costs of the solved ones, or the share of them. */
-    private summary(runs: number[]): { low: number; median: number; high: number } | null {
-        if (this.settings.y === kSuccess) {
-            const percent = (100 * runs.filter((run) => this.isSolved(run)).length) / runs.length;
-            return { low: percent, median: percent, high: percent };
-        }
-        return quartiles(runs.map((run) => this.cost(run)).filter((value) => value !== null));
+    /** What is shown of each planner at one place: its costs on the instances that all are compared on, or its success. */
+    private summaries(runs: number[]): Map<number, Middle | null> {
+        const answers = this.answers.of(runs);
+        const compared = comparedInstances(answers);
+        const { y } = this.settings;
+        return new Map(
+            [...groupBy(answers, ({ runs: [run] }) => this.plannerOf(run))].map(([planner, own]) => {
+                if (y !== kSuccess) return [planner, middleOf(valuesOf(this.runs, own, compared, y))];
+                const counted = own.filter(({ counts }) => counts).length;
+                const percent = (100 * own.filter(({ solved }) => solved).length) / counted;
+                return [planner, counted === 0 ? null : { low: percent, median: percent, high: percent }];
+            }),
+        );
     }
 
     private dots(xOf: (run: number) => number | null): Dot[] {
@@ -162,34 +173,38 @@ class Builder {
         });
     }
 
-    /** A curve for each planner that is shown; its name says how many runs it stands for. */
-    private curves(points: (ofPlanner: number[], planner: number) => Points): Curve[] {
-        return [...groupBy(this.chosen, (run) => this.plannerOf(run))].map(([planner, ofPlanner]) => ({
-            name: `${this.planners[planner].name}: ${this.count(ofPlanner)}`,
+    /** A curve for each planner that is shown; its name says how many instances it solved. */
+    private curves(points: (answers: Answer[], planner: number) => Points): Curve[] {
+        const byPlanner = groupBy(this.answers.of(this.chosen), ({ runs: [run] }) => this.plannerOf(run));
+        return [...byPlanner].map(([planner, answers]) => ({
+            name: `${this.planners[planner].name}: ${this.count(answers)}`,
             planner,
-            ...points(ofPlanner, planner),
+            ...points(answers, planner),
         }));
     }
 
     private sweep(): ChartModel {
         const { x, y } = this.settings;
         const placeOf = (run: number): number | null => this.runs.number(x, run);
-        const curves = this.curves((ofPlanner) => {
-            const placed = ofPlanner.filter((run) => placeOf(run) !== null);
-            const places = [...groupBy(placed, (run) => placeOf(run)!)].sort(([a], [b]) => a - b);
-            const summaries = places.map(([, there]) => this.summary(there));
+        const placed = this.chosen.filter((run) => placeOf(run) !== null);
+        const places = [...groupBy(placed, (run) => placeOf(run)!)]
+            .sort(([a], [b]) => a - b)
+            .map(([place, there]) => ({ place, summaries: this.summaries(there) }));
+        const curves = this.curves((_, planner) => {
+            const own = places.filter(({ summaries }) => summaries.has(planner));
+            const middles = own.map(({ summaries }) => summaries.get(planner) ?? null);
             return {
-                x: places.map(([place]) => place),
-                y: summaries.map((summary) => summary?.median ?? null),
-                low: summaries.map((summary) => summary?.low ?? null),
-                high: summaries.map((summary) => summary?.high ?? null),
+                x: own.map(({ place }) => place),
+                y: middles.map((middle) => middle?.median ?? null),
+                low: middles.map((middle) => middle?.low ?? null),
+                high: middles.map((middle) => middle?.high ?? null),
             };
         });
         return {
             ...this.empty(this.title(x), this.title(y)),
             curves,
             dots: this.dots(placeOf),
-            caption: "Lines: medians over the solved runs; bands: their quartiles; dots: runs.",
+            caption: `Lines: ${kMedians}; bands: quartiles, of five instances or more; dots: solved runs.`,
         };
     }
 
@@ -205,56 +220,47 @@ class Builder {
         const beside = (planner: number): number =>
             ((shown.indexOf(planner) + 1) / (shown.length + 1) - 0.5) * 0.8;
         const xOf = (run: number): number => places.get(placeOf(run))! + beside(this.plannerOf(run));
-        const marks = [...groupBy(this.chosen, xOf)].flatMap(([x, there]): Mark[] => {
-            const summary = this.summary(there);
-            return summary
-                ? [
-                      {
-                          planner: this.plannerOf(there[0]),
-                          x,
-                          low: summary.low,
-                          median: summary.median,
-                          high: summary.high,
-                      },
-                  ]
-                : [];
-        });
+        const marks = [...groupBy(this.chosen, placeOf)].flatMap(([name, there]): Mark[] =>
+            [...this.summaries(there)].flatMap(([planner, middle]) =>
+                middle ? [{ planner, x: places.get(name)! + beside(planner), ...middle }] : [],
+            ),
+        );
         return {
             ...this.empty("", this.title(this.settings.y)),
             xNames: names,
             curves: this.curves(() => kNoPoints),
             marks,
             dots: this.dots(xOf),
-            caption:
-                "Marks: medians over the solved runs; bars: their quartiles; dots: runs. No mark: none was solved.",
+            caption: `Marks: ${kMedians}; bars: quartiles, of five instances or more; dots: solved runs.`,
         };
     }
 
-    /** How many runs a planner solves when each may cost so much. */
+    /** How many instances a planner solves when each may cost so much. */
     private cactus(): ChartModel {
         const dots: Dot[] = [];
-        let most = 0;
-        const curves = this.curves((ofPlanner, planner) => {
-            most = Math.max(most, ofPlanner.length);
-            const solved = ofPlanner
-                .filter((run) => this.cost(run) !== null)
-                .sort((a, b) => this.cost(a)! - this.cost(b)!);
-            const points = solved.map((run, i) => ({
-                run,
+        const instances = groupBy(this.answers.of(this.chosen), ({ instance }) => instance);
+        const all = [...instances.values()].filter((own) => !own.every(({ unsolvable }) => unsolvable)).length;
+        const costOf = (answer: Answer): number | null => answer.cost(this.settings.y);
+        const curves = this.curves((answers, planner) => {
+            const solved = answers
+                .filter((answer) => costOf(answer) !== null)
+                .sort((a, b) => costOf(a)! - costOf(b)!);
+            const points = solved.map((answer, i) => ({
+                run: answer.runs[0],
                 x: i + 1,
-                y: this.cost(run)!,
+                y: costOf(answer)!,
                 planner,
-                text: this.text(run),
+                text: this.text(answer.runs[0]),
             }));
             for (const point of points) dots.push(point);
             return { ...kNoPoints, x: points.map(({ x }) => x), y: points.map(({ y }) => y) };
         });
         return {
-            ...this.empty(`Runs solved (of ${most})`, `${this.title(this.settings.y)}, at most`),
+            ...this.empty(`Instances solved (of ${all})`, `${this.title(this.settings.y)}, at most`),
             curves,
             dots,
             caption:
-                "Each planner's solved runs, cheapest first: further right means more solved, lower means cheaper.",
+                "Each planner's solved instances, cheapest first: further right means more solved, lower means cheaper.",
         };
     }
 
@@ -278,21 +284,21 @@ class Builder {
         const kBeyond = 1.35; // where those stand that were not solved
         const dots: Dot[] = [];
         let missing = 0;
-        for (const [name, runs] of groupBy(this.chosen, (run) => this.runs.text("case", run))) {
-            const a = runs.find((run) => this.plannerOf(run) === first);
-            const b = runs.find((run) => this.plannerOf(run) === second);
-            if (a === undefined || b === undefined) continue;
-            const x = this.cost(a);
-            const value = this.cost(b);
+        for (const there of groupBy(this.answers.of(this.chosen), ({ instance }) => instance).values()) {
+            const a = there.find(({ runs: [run] }) => this.plannerOf(run) === first);
+            const b = there.find(({ runs: [run] }) => this.plannerOf(run) === second);
+            if (!a || !b) continue;
+            const x = a.cost(y);
+            const value = b.cost(y);
             if (x === null && value === null) continue;
             if (x === null || value === null) ++missing;
             const winner = x === null || (value !== null && value < x) ? second : first;
             dots.push({
-                run: b,
+                run: b.runs[0],
                 x: x ?? most * kBeyond,
                 y: value ?? most * kBeyond,
                 planner: winner,
-                text: name,
+                text: this.runs.text("case", b.runs[0]),
             });
         }
         const title = (planner: number): string => `${this.planners[planner]?.name ?? ""}: ${this.title(y)}`;
@@ -309,10 +315,10 @@ class Builder {
                     : []),
             ],
             caption:
-                `${dots.length} cases, a dot each in the colour of the planner that did better (the first where they ` +
+                `${dots.length} instances, a dot each in the colour of the planner that did better (the first where they ` +
                 "are equal); below the diagonal it is the second." +
                 (missing > 0
-                    ? ` ${missing} dots on the outer lines: one of the two did not solve the case.`
+                    ? ` ${missing} dots on the outer lines: one of the two did not solve the instance.`
                     : ""),
         };
     }

@@ -106,7 +106,8 @@ export class Plot {
         };
         for (const dot of this.model.dots) add(dot[axis]);
         for (const mark of this.model.marks)
-            for (const value of axis === "x" ? [mark.x] : [mark.low, mark.high]) add(value);
+            for (const value of axis === "x" ? [mark.x] : [mark.low ?? mark.median, mark.high ?? mark.median])
+                add(value);
         for (const curve of this.model.curves) for (const value of curve[axis]) add(value);
         for (const guide of this.model.guides) for (const i of axis === "x" ? [0, 2] : [1, 3]) add(guide[i]);
         if (min > max) return null;
@@ -267,8 +268,8 @@ export class Plot {
             ctx.strokeStyle = color(planner);
             ctx.lineWidth = 2 * pixels;
             ctx.beginPath();
-            ctx.moveTo(...at(x, low));
-            ctx.lineTo(...at(x, high));
+            ctx.moveTo(...at(x, low ?? median));
+            ctx.lineTo(...at(x, high ?? median));
             ctx.stroke();
             drawMarker(ctx, this.planners[planner].marker, ...at(x, median), 5.5 * pixels, color(planner));
         }

@@ -1,6 +1,7 @@
 // The first thing that is seen: what was found, the numbers by planner, and where they come from.
 import type { Campaign, Runs } from "../data/campaign";
-import { groupBy, quartiles } from "../charts/groups";
+import { groupBy, middleOf } from "../charts/groups";
+import { Answers, type Outcome, commonInstances } from "../data/answers";
 import { el } from "./dom";
 import { formatNumber, formatSeconds } from "../runs/format";
 
@@ -38,40 +39,61 @@ export class Overview {
         );
     }
 
-    /** Medians over the solved runs of all problems, beside the number of runs that they stand for. */
+    /** What each planner answered, and its medians on the instances that all of them solved. */
     private planners(): HTMLElement {
         const { runs } = this;
-        const all = Array.from({ length: runs.count }, (_, run) => run);
         const measures = kMeasures.filter(
             ([name]) => runs.has(name) && runs.column(name).numbers?.some((value) => value !== null),
         );
-        const groups = groupBy(all, (run) => runs.text("planner", run));
+        const answers = new Answers(runs).of(Array.from({ length: runs.count }, (_, run) => run));
+        const common = commonInstances(answers);
+        const byPlanner = groupBy(answers, ({ planner }) => planner);
         const rows = this.campaign.about.planners
-            .filter(({ name }) => groups.has(name))
+            .filter(({ name }) => byPlanner.has(name))
             .map(({ name }) => {
-                const solved = groups.get(name)!.filter((run) => runs.text("status", run) === "solved");
+                const own = byPlanner.get(name)!;
+                const count = (outcome: Outcome): string =>
+                    String(own.filter((answer) => answer.outcome === outcome).length);
+                const compared = common.planners.includes(name)
+                    ? own.filter(({ instance }) => common.instances.has(instance))
+                    : [];
                 const medians = measures.map(([measure]) => {
-                    const summary = quartiles(
-                        solved.map((run) => runs.number(measure, run)).filter((value) => value !== null),
-                    );
-                    if (!summary) return "";
-                    return measure === "time" ? formatSeconds(summary.median) : formatNumber(summary.median);
+                    const values = compared
+                        .map((answer) => answer.cost(measure))
+                        .filter((value) => value !== null);
+                    const middle = middleOf(values);
+                    if (!middle) return "";
+                    return measure === "time" ? formatSeconds(middle.median) : formatNumber(middle.median);
                 });
+                const rule = runs.has("rule") ? runs.text("rule", own[0].runs[0]) : "";
+                const counted = own.filter(({ counts }) => counts).length;
                 return el(
                     "tr",
                     {},
                     el("th", { scope: "row" }, name),
-                    el("td", {}, `${solved.length} of ${groups.get(name)!.length}`),
-                    ...medians.map((text) => el("td", {}, text)),
+                    ...[
+                        rule,
+                        `${count("solved")} of ${counted}`,
+                        count("proved"),
+                        count("doesNotApply"),
+                        count("failed"),
+                        ...medians,
+                    ].map((text) => el("td", {}, text)),
                 );
             });
+        const headings = ["planner", "rule", "solved", "proved", "not applicable", "failed"];
+        const who = byPlanner.size === common.planners.length ? "all planners" : common.planners.join(", ");
         return el(
             "table",
             { class: "summary" },
             el(
                 "caption",
                 {},
-                "Medians over the solved runs of all problems: compare planners in the charts, problem by problem.",
+                "Distinct instances; solved: of those that have a solution under the planner's motion rule and to which " +
+                    "it applies. " +
+                    (common.planners.length === 0
+                        ? "No two planners have solved enough of the same for medians side by side: compare them in the charts."
+                        : `Medians over the ${common.instances.size} instances that ${who} solved.`),
             ),
             el(
                 "thead",
@@ -79,7 +101,7 @@ export class Overview {
                 el(
                     "tr",
                     {},
-                    ...["planner", "solved", ...measures.map(([, title]) => title)].map((text) =>
+                    ...[...headings, ...measures.map(([, title]) => title)].map((text) =>
                         el("th", { scope: "col" }, text),
                     ),
                 ),
