@@ -5,6 +5,7 @@
 #include "cli/Options.h"
 #include "framework/support/Config.h"
 #include "framework/support/Suggestion.h"
+#include "problems/formats/MovingAiMap.h"
 #include "problems/generators/Generator.h"
 
 #include <algorithm>
@@ -86,6 +87,18 @@ Examples:
     command->callback([arguments, &result] { result = *arguments; });
 }
 
+/// How a MovingAI map is read.
+void addPassability(CLI::App &command, std::string &passability)
+{
+    std::vector<std::string> names;
+    for (const Passability &rule : passabilities())
+        names.emplace_back(rule.name);
+    command
+        .add_option("--passability", passability,
+                    "Which symbols of a .map robots may stand on, see docs/formats.md [movingai]")
+        ->check(oneOf(names));
+}
+
 void addSolve(CLI::App &app, Arguments &result)
 {
     CLI::App *command = app.add_subcommand("solve", "Solve one instance with one planner");
@@ -106,6 +119,7 @@ Examples:
     optional(*command, "--robots", arguments->robots, "Only the first N robots of the instance")
         ->type_name("N")
         ->check(wholeNumberFrom(0));
+    addPassability(*command, arguments->passability);
     command->add_option("--planner", arguments->planner, "See `mrppsim list planners`")
         ->required()
         ->type_name("NAME");
@@ -163,6 +177,7 @@ void addInstance(CLI::App &command, CommandArguments &arguments)
     optional(command, "--robots", arguments.robots, "Only the first N robots of the instance")
         ->type_name("N")
         ->check(wholeNumberFrom(0));
+    addPassability(command, arguments.passability);
 }
 
 void addCheck(CLI::App &app, Arguments &result)
@@ -222,6 +237,7 @@ Examples:
     optional(*command, "--robots", arguments->robots, "Only the first N robots of the instance")
         ->type_name("N")
         ->check(wholeNumberFrom(0));
+    addPassability(*command, arguments->passability);
     command
         ->add_option("--solution", arguments->solutions, "The moves, in any format; may stand several times")
         ->required()
@@ -251,6 +267,7 @@ Examples:
     optional(*command, "--graph", arguments->graph,
              "The graph of the instance [the one that it names or holds]");
     optional(*command, "--instance", arguments->instance, "The instance that a solution belongs to");
+    addPassability(*command, arguments->passability);
     optional(*command, "--to", arguments->format, "The format of OUT [by its extension]")
         ->type_name("FORMAT");
     command->callback([arguments, &result] { result = *arguments; });

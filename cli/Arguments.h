@@ -95,6 +95,7 @@ struct SolveArguments
     std::optional<std::filesystem::path> schedule;
     std::optional<std::filesystem::path> animation;
     std::optional<std::filesystem::path> json;
+    std::string passability = "movingai"; ///< which symbols of a map robots may stand on
 };
 
 struct CheckArguments
@@ -104,6 +105,7 @@ struct CheckArguments
     std::optional<std::int64_t> robots;
     std::string motion;
     bool json = false;
+    std::string passability = "movingai"; ///< which symbols of a map robots may stand on
 };
 
 struct ValidateArguments
@@ -113,6 +115,7 @@ struct ValidateArguments
     std::optional<std::int64_t> robots;
     std::filesystem::path solution;
     std::string motion;
+    std::string passability = "movingai"; ///< which symbols of a map robots may stand on
 };
 
 struct ViewArguments
@@ -123,6 +126,7 @@ struct ViewArguments
     std::vector<std::filesystem::path> solutions; ///< one or more
     std::string motion;
     std::filesystem::path output;
+    std::string passability = "movingai"; ///< which symbols of a map robots may stand on
 };
 
 struct ConvertArguments
@@ -132,6 +136,7 @@ struct ConvertArguments
     std::optional<std::filesystem::path> graph;
     std::optional<std::filesystem::path> instance; ///< of a solution
     std::optional<std::string> format;             ///< of `out`; by its extension where not given
+    std::string passability = "movingai"; ///< which symbols of a map robots may stand on
 };
 
 struct GenerateArguments

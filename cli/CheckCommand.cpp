@@ -13,7 +13,8 @@ ExitCode check(const CheckArguments &arguments)
 {
     const auto robots =
         arguments.robots ? std::optional(static_cast<std::size_t>(*arguments.robots)) : std::nullopt;
-    const LoadedInstance loaded = loadInstance({arguments.instance, arguments.graph, robots});
+    const LoadedInstance loaded =
+        loadInstance({arguments.instance, arguments.graph, robots, arguments.passability});
     for (const std::string &warning : loaded.warnings)
         std::cerr << "warning: " << warning << '\n';
     const Instance &instance = loaded.instance;

@@ -129,7 +129,8 @@ ExitCode solve(const SolveArguments &arguments, const Catalog &catalog)
     planner->setSeed(arguments.seed);
     const auto optimizers = makeOptimizers(arguments.optimizers, catalog);
 
-    LoadedInstance loaded = loadInstance({arguments.instance, arguments.graph, toSize(arguments.robots)});
+    LoadedInstance loaded =
+        loadInstance({arguments.instance, arguments.graph, toSize(arguments.robots), arguments.passability});
     for (const std::string &warning : loaded.warnings)
         std::cerr << "warning: " << warning << '\n';
     const auto instance = std::make_shared<const Instance>(std::move(loaded.instance));

@@ -12,10 +12,11 @@ ExitCode validate(const ValidateArguments &arguments)
 {
     const auto robots =
         arguments.robots ? std::optional(static_cast<std::size_t>(*arguments.robots)) : std::nullopt;
-    const LoadedInstance loaded = loadInstance({arguments.instance, arguments.graph, robots});
+    const LoadedInstance loaded =
+        loadInstance({arguments.instance, arguments.graph, robots, arguments.passability});
     for (const std::string &warning : loaded.warnings)
         std::cerr << "warning: " << warning << '\n';
-    const SolutionRows rows = loadSolution(arguments.solution, loaded.instance, loaded.vertexNames);
+    const SolutionRows rows = loadSolution(arguments.solution, loaded);
     for (const std::string &warning : rows.warnings)
         std::cerr << "warning: " << warning << '\n';
     const Verdict verdict = validate(loaded.instance, rows.moves, *motionRule(arguments.motion));

@@ -81,13 +81,12 @@ struct Loaded
     std::vector<SolutionRows> solutions;
 };
 
-std::vector<SolutionRows> loadSolutions(const ViewArguments &arguments, const Instance &instance,
-                                        std::span<const std::string> vertexNames)
+std::vector<SolutionRows> loadSolutions(const ViewArguments &arguments, const LoadedInstance &loaded)
 {
     std::vector<SolutionRows> solutions;
     for (const std::filesystem::path &file : arguments.solutions)
     {
-        solutions.push_back(loadSolution(file, instance, vertexNames));
+        solutions.push_back(loadSolution(file, loaded));
         warn(solutions.back().warnings);
     }
     return solutions;
@@ -99,19 +98,20 @@ Loaded load(const ViewArguments &arguments)
     {
         const auto robots =
             arguments.robots ? std::optional(static_cast<std::size_t>(*arguments.robots)) : std::nullopt;
-        LoadedInstance loaded = loadInstance({*arguments.instance, arguments.graph, robots});
+        LoadedInstance loaded =
+            loadInstance({*arguments.instance, arguments.graph, robots, arguments.passability});
         warn(loaded.warnings);
-        auto solutions = loadSolutions(arguments, loaded.instance, loaded.vertexNames);
+        auto solutions = loadSolutions(arguments, loaded);
         return {std::move(loaded.instance), arguments.instance->filename().string(), std::move(solutions)};
     }
     if (!arguments.graph)
         throw InputError("view needs --instance or --graph, to know where the robots are");
-    LoadedGraph loaded = loadGraph(*arguments.graph);
+    LoadedGraph loaded = loadGraph(*arguments.graph, passability(arguments.passability));
     warn(loaded.warnings);
     std::vector<SolutionRows> solutions;
     try
     {
-        solutions = loadSolutions(arguments, Instance{loaded.graph, {}, {}}, {});
+        solutions = loadSolutions(arguments, {Instance{loaded.graph, {}, {}}, {}, loaded.vertexNames});
     }
     catch (const InputError &error)
     {

@@ -11,6 +11,8 @@ FullyControlled::FullyControlled()
     declareParam("instance", instance_, "", "starts and goals: instance text or a MovingAI scenario");
     declareParam("graph", graph_, "",
                  "GraphML or a MovingAI map; without it, the one that the instance names");
+    declareParam("passability", passability_, passabilityNames(),
+                 "which symbols of a MovingAI map robots may stand on");
 }
 
 void FullyControlled::configure(const Config &settings, const ProblemContext &context)
@@ -26,7 +28,7 @@ void FullyControlled::configure(const Config &settings, const ProblemContext &co
 
 Instance FullyControlled::load() const
 {
-    InstanceSource source{instance_, std::nullopt, std::nullopt};
+    InstanceSource source{instance_, std::nullopt, std::nullopt, passability_};
     if (!graph_.empty())
         source.graph = graph_;
     return loadInstance(source).instance;

@@ -35,6 +35,7 @@ private:
 
     std::filesystem::path instance_;
     std::filesystem::path graph_; ///< empty where the instance names it
+    std::string passability_ = "movingai";
 };
 
 } // namespace mrpp

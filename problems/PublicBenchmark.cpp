@@ -10,12 +10,10 @@ namespace mrpp
 
 PublicBenchmark::PublicBenchmark()
 {
-    std::string rules;
-    for (const Passability &rule : passabilities())
-        rules += (rules.empty() ? "" : ",") + std::string(rule.name);
     declareParam("map", map_, "", "a MovingAI map, from movingai.com/benchmarks");
     declareParam("scenario", scenario_, "", "starts and goals on the map; without it, random ones");
-    declareParam("passability", passability_, rules, "which symbols of the map robots may stand on");
+    declareParam("passability", passability_, passabilityNames(),
+                 "which symbols of the map robots may stand on");
     declareParam("solvable", solvable_, "", "draw only random instances that have a solution");
     declareParam("well_formed", wellFormed_, "",
                  "draw only well-formed random instances: each robot has a path around all other starts "

@@ -3,7 +3,6 @@
 #include "framework/support/Error.h"
 #include "framework/support/File.h"
 #include "framework/support/Suggestion.h"
-#include "problems/formats/Cells.h"
 #include "problems/formats/FormatId.h"
 #include "problems/formats/Formats.h"
 #include "problems/formats/GraphMl.h"
@@ -17,6 +16,8 @@
 #include "problems/formats/SolutionCsv.h"
 #include "problems/formats/Surynek.h"
 #include "problems/formats/Tracker.h"
+#include "problems/formats/VetandXml.h"
+#include "problems/formats/support/Cells.h"
 
 #include <algorithm>
 #include <cctype>
@@ -52,6 +53,7 @@ struct Target
     Holds holds;
     Coordinates coordinates = Coordinates::all;
     bool weights = true;
+    LibMrpForm libMrp = LibMrpForm::fitting;
 };
 
 constexpr Target kTargets[] = {
@@ -64,16 +66,22 @@ constexpr Target kTargets[] = {
     {"cpf", FormatId::cpf, Holds::instance, Coordinates::none, false},
     {"kei18_instance", FormatId::kei18Instance, Holds::instance, Coordinates::flatDown, false},
     {"libmrp_instance", FormatId::libMrpInstance, Holds::instance, Coordinates::flatUp, false},
+    {"libmrp_map", FormatId::libMrpInstance, Holds::instance, Coordinates::flatUp, false, LibMrpForm::map},
+    {"libmrp_roadmap", FormatId::libMrpInstance, Holds::instance, Coordinates::flatUp, false,
+     LibMrpForm::roadmap},
+    {"vetand_instance", FormatId::vetandInstance, Holds::instance, Coordinates::flatDown, false},
     {"solution", FormatId::solutionCsv, Holds::solution},
     {"surynek_solution", FormatId::surynekSolution, Holds::solution},
     {"kei18_result", FormatId::kei18Result, Holds::solution},
     {"libmrp_schedule", FormatId::libMrpSchedule, Holds::solution},
+    {"vetand_result", FormatId::vetandResult, Holds::solution, Coordinates::flatDown, false},
     {"paths", FormatId::paths, Holds::solution},
     {"tracker_csv", FormatId::trackerCsv, Holds::solution},
     {"tracker_json", FormatId::trackerJson, Holds::solution},
     {"graphrec", FormatId::graphRec, Holds::solution, Coordinates::scaled, false},
     {"graphrec_xml", FormatId::graphRecXml, Holds::solution, Coordinates::scaled, false},
     {"planviz", FormatId::planViz, Holds::solution},
+    {"planviz_2_0", FormatId::planViz, Holds::solution},
 };
 
 const char *toString(Holds holds)
@@ -108,6 +116,12 @@ bool hasExtension(const Target &target, const std::string &extension)
     return (" " + listed->extensions + " ").find(" " + extension + " ") != std::string::npos;
 }
 
+/// The one that an extension means where nothing else is said.
+bool isUsual(std::string_view name)
+{
+    return name == "graphml" || name == "solution" || name == "libmrp_instance";
+}
+
 /// The format of OUT: the one that was asked for, else the only one of its extension that holds something
 /// that IN has; this program's own where there are several.
 const Target &chooseTarget(const ConversionRequest &request, FormatId in)
@@ -122,7 +136,7 @@ const Target &chooseTarget(const ConversionRequest &request, FormatId in)
         if (!extension.empty() && hasExtension(target, extension) && canRead(in, target.holds))
             fitting.push_back(&target);
     for (const Target *target : fitting)
-        if (target->id == FormatId::graphMl || target->id == FormatId::solutionCsv)
+        if (isUsual(target->name))
             return *target;
     if (fitting.size() == 1)
         return *fitting.front();
@@ -138,12 +152,24 @@ const Target &chooseTarget(const ConversionRequest &request, FormatId in)
                          "; say --to with one of: " + names);
 }
 
+/// Throws ParseError where the input is of no format that is read.
+FormatId formatOfInput(const ConversionRequest &request)
+{
+    const std::string text = readFile(request.in);
+    const FormatId format = formatOf(request.in, text);
+    if (!canRead(format, Holds::graph) && !canRead(format, Holds::instance) &&
+        !canRead(format, Holds::solution))
+        throw ParseError({request.in.string(), 1, 1},
+                         "this is " + describe(formatOf(text), text) +
+                             ", which is not read; `mrppsim list formats` says what is");
+    return format;
+}
+
 class Converter
 {
 public:
     explicit Converter(const ConversionRequest &request)
-        : request_(request), in_(formatOf(request.in, readFile(request.in))),
-          target_(chooseTarget(request, in_))
+        : request_(request), in_(formatOfInput(request)), target_(chooseTarget(request, in_))
     {}
 
     Conversion run()
@@ -216,7 +242,7 @@ private:
 
     void convertGraph()
     {
-        const LoadedGraph loaded = loadGraph(request_.in);
+        const LoadedGraph loaded = loadGraph(request_.in, passability(request_.passability));
         note(loaded.warnings);
         if (holdsInstance(in_))
             note({"lost: the robots"});
@@ -226,8 +252,13 @@ private:
             return write(request_.out, formatMovingAiMap(*loaded.map));
         const Graph &graph = *loaded.graph;
         noteLosses(graph);
-        if (loaded.map && formatMovingAiMap(gridMapOf(graph)) != formatMovingAiMap(*loaded.map))
-            note({"lost: the map's size, and what its obstacles are"});
+        const bool keepsNames = target_.id == FormatId::edgeList && fitsEdgeList(graph, loaded.vertexNames);
+        if (!keepsNames && !loaded.vertexNames.empty())
+            note({"lost: the vertices' names"});
+        if (loaded.map)
+            if (const auto kept = gridMapIfOne(graph);
+                !kept || formatMovingAiMap(*kept) != formatMovingAiMap(*loaded.map))
+                note({"lost: the map's size, and what its obstacles are"});
         write(request_.out, asTarget(
                                 [&]
                                 {
@@ -238,7 +269,8 @@ private:
                                     case FormatId::dimacs:
                                         return formatDimacs(graph);
                                     case FormatId::edgeList:
-                                        return formatEdgeList(graph);
+                                        return formatEdgeList(graph, keepsNames ? loaded.vertexNames
+                                                                                : std::vector<std::string>());
                                     default:
                                         return formatGraphMl(graph);
                                     }
@@ -261,25 +293,47 @@ private:
 
     void convertInstance()
     {
-        const LoadedInstance loaded = loadInstance({request_.in, request_.graph, std::nullopt});
+        const LoadedInstance loaded =
+            loadInstance({request_.in, request_.graph, std::nullopt, request_.passability});
         note(loaded.warnings);
         if (holdsSolution(in_))
             note({"lost: the moves"});
         const Instance &instance = loaded.instance;
         noteLosses(*instance.graph);
-        if (target_.id != FormatId::libMrpInstance && !loaded.vertexNames.empty())
-            note({"lost: the vertices' names"});
+        noteNames(loaded);
         if (target_.id == FormatId::cpf)
             return write(request_.out, formatCpf(instance));
+        const GridMap *map = loaded.map ? &*loaded.map : nullptr;
         if (target_.id == FormatId::libMrpInstance)
         {
-            if (const auto map = loaded.vertexNames.empty() ? ifGridMap(*instance.graph) : std::nullopt)
-                noteRenumbering(*instance.graph, *map);
-            return write(request_.out,
-                         asTarget([&] { return formatLibMrpInstance(instance, loaded.vertexNames); }));
+            if (const auto grid = loaded.vertexNames.empty() ? gridMapIfOne(*instance.graph) : std::nullopt)
+                noteRenumbering(*instance.graph, *grid);
+            return write(request_.out, asTarget(
+                                           [&] {
+                                               return formatLibMrpInstance(
+                                                   instance, {loaded.vertexNames, loaded.robotNames, map},
+                                                   target_.libMrp);
+                                           }));
         }
+        if (target_.id == FormatId::vetandInstance)
+            return write(request_.out, asTarget([&] { return formatVetandInstance(instance, map); }));
+        convertOnGraph(loaded);
+    }
 
-        const auto [graphFile, map] = asTarget([&] { return graphFor(instance); });
+    void noteNames(const LoadedInstance &loaded)
+    {
+        const bool isYaml = target_.id == FormatId::libMrpInstance;
+        if (!loaded.vertexNames.empty() && (!isYaml || target_.libMrp == LibMrpForm::map))
+            note({"lost: the vertices' names"});
+        if (!loaded.robotNames.empty() && !isYaml)
+            note({"lost: the robots' names"});
+    }
+
+    /// An instance whose graph stands in another file.
+    void convertOnGraph(const LoadedInstance &loaded)
+    {
+        const Instance &instance = loaded.instance;
+        const auto [graphFile, map] = asTarget([&] { return graphFor(loaded); });
         if (target_.id != FormatId::instanceText &&
             graphFile.parent_path().lexically_normal() != request_.out.parent_path().lexically_normal())
             note({"the map does not lie beside it, as its name alone stands in the file: " +
@@ -297,8 +351,9 @@ private:
 
     /// Where the graph of the new instance lies: where it lay before if that suits, else beside the instance.
     /// With the map, if one is needed and lies there already.
-    std::pair<std::filesystem::path, std::optional<GridMap>> graphFor(const Instance &instance)
+    std::pair<std::filesystem::path, std::optional<GridMap>> graphFor(const LoadedInstance &loaded)
     {
+        const Instance &instance = loaded.instance;
         const bool needsMap = target_.id != FormatId::instanceText;
         const auto known = request_.graph ? request_.graph : graphFileOf(request_.in);
         std::error_code error;
@@ -306,18 +361,21 @@ private:
         {
             if (!needsMap)
                 return {*known, std::nullopt};
-            if (auto map = loadGraph(*known).map)
+            if (auto map = loadGraph(*known, passability(request_.passability)).map;
+                map && formatOf(*known, readFile(*known)) == FormatId::movingAiMap)
                 return {*known, std::move(map)};
         }
         std::filesystem::path file = request_.out;
         file.replace_extension(needsMap ? ".map" : ".graphml");
-        const std::string text = needsMap ? mapText(*instance.graph) : formatGraphMl(*instance.graph);
+        const std::string text = !needsMap    ? formatGraphMl(*instance.graph)
+                                 : loaded.map ? formatMovingAiMap(*loaded.map)
+                                              : mapText(*instance.graph);
         if (std::filesystem::exists(file, error) && readFile(file) != text)
             throw InputError("its graph would be written to " + file.string() +
                              ", but there is another file of that name");
         write(file, text);
         note({"the graph is in a file of its own: " + file.string()});
-        return {file, std::nullopt};
+        return {file, needsMap ? loaded.map : std::nullopt};
     }
 
     void convertSolution()
@@ -326,11 +384,12 @@ private:
             throw InputError({request_.in.string()},
                              "a solution can only be read with its instance; name it (--instance FILE)");
         const std::filesystem::path instanceFile = request_.instance.value_or(request_.in);
-        const LoadedInstance loaded = loadInstance({instanceFile, request_.graph, std::nullopt});
+        const LoadedInstance loaded =
+            loadInstance({instanceFile, request_.graph, std::nullopt, request_.passability});
         note(loaded.warnings);
         const Instance &instance = loaded.instance;
         noteLosses(*instance.graph);
-        const SolutionRows rows = loadSolution(request_.in, instance, loaded.vertexNames);
+        const SolutionRows rows = loadSolution(request_.in, loaded);
         note(rows.warnings);
         const Schedule schedule = scheduleOf(rows, instance);
         if (!validate(instance, schedule, MotionRule::rotation).complete)
@@ -361,11 +420,15 @@ private:
             return formatKei18Result(instance, schedule, map.string());
         }
         case FormatId::libMrpSchedule:
-            return formatLibMrpSchedule(instance, schedule, loaded.vertexNames);
+            return formatLibMrpSchedule(instance, schedule, loaded.vertexNames, loaded.robotNames);
+        case FormatId::vetandResult:
+            return formatVetandResult(instance, schedule, loaded.map ? &*loaded.map : nullptr);
         case FormatId::paths:
             return formatPaths(instance, schedule);
         case FormatId::planViz:
-            return formatPlanViz(instance, schedule);
+            return formatPlanViz(instance, schedule,
+                                 std::string_view(target_.name) == "planviz_2_0" ? PlanVizVersion::upTo2_0
+                                                                                 : PlanVizVersion::current);
         case FormatId::trackerCsv:
         case FormatId::trackerJson: {
             const auto name = trackerName(instanceFile.filename().string());
@@ -379,18 +442,6 @@ private:
         }
         default:
             return formatSolutionCsv(schedule);
-        }
-    }
-
-    static std::optional<GridMap> ifGridMap(const Graph &graph)
-    {
-        try
-        {
-            return gridMapOf(graph);
-        }
-        catch (const InputError &)
-        {
-            return std::nullopt;
         }
     }
 

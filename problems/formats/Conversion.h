@@ -23,6 +23,7 @@ struct ConversionRequest
     std::optional<std::filesystem::path> graph;    ///< of the instance, where it does not say itself
     std::optional<std::filesystem::path> instance; ///< of a solution, which cannot be read without
     std::optional<std::string> format;             ///< of `out`, as in fileFormats(); else by its extension
+    std::string passability = "movingai";          ///< of a MovingAI map that is read, see passabilities()
 };
 
 struct Conversion

@@ -9,6 +9,7 @@
 #include "problems/formats/Kei18.h"
 #include "problems/formats/LibMrpYaml.h"
 #include "problems/formats/Surynek.h"
+#include "problems/formats/VetandXml.h"
 
 #include <algorithm>
 
@@ -18,7 +19,7 @@ namespace mrpp
 namespace
 {
 
-/// Whether a result of Kei18's programs says that they found nothing.
+/// Whether a result of Kei18's programs says that they found nothing; some write half a solution then.
 bool saysUnsolved(std::string_view text)
 {
     constexpr std::string_view kUnsolved = "solved=0";
@@ -51,9 +52,15 @@ void Exchange::writeInstance(const std::string &format, const Instance &instance
     if (format == "cpf")
         return writeFile(file, formatCpf(instance));
     if (format == "kei18_instance")
-        return writeFile(file, formatKei18Instance(instance, graphFile.filename().string()));
+        return writeFile(file, formatKei18Instance(instance, std::filesystem::absolute(graphFile).string()));
     if (format == "libmrp_instance")
-        return writeFile(file, formatLibMrpInstance(instance, {}));
+        return writeFile(file, formatLibMrpInstance(instance));
+    if (format == "libmrp_map")
+        return writeFile(file, formatLibMrpInstance(instance, {}, LibMrpForm::map));
+    if (format == "libmrp_roadmap")
+        return writeFile(file, formatLibMrpInstance(instance, {}, LibMrpForm::roadmap));
+    if (format == "vetand_instance")
+        return writeFile(file, formatVetandInstance(instance));
     saveInstance(file, instance, graphFile,
                  format == "movingai_scenario" ? InstanceForm::scenario : InstanceForm::text);
 }
@@ -63,11 +70,19 @@ std::optional<Schedule> Exchange::readSolution(const std::string &format, const 
 {
     const std::string text = readFile(file);
     const FormatId found = formatOf(file, text);
-    if (!format.empty() && nameOf(found) != format)
-        throw ParseError({file.string()}, "this is no " + format);
+    const bool isUnanswered = format == "vetand_result" && found == FormatId::vetandInstance;
+    if (!format.empty() && nameOf(found) != format && !isUnanswered)
+        throw ParseError({file.string()}, "this is no " + format + " but " + describe(found, text));
     if (found == FormatId::kei18Result && saysUnsolved(text))
         return std::nullopt;
-    return scheduleOf(loadSolution(file, instance), instance);
+    try
+    {
+        return scheduleOf(loadSolution(file, instance), instance);
+    }
+    catch (const NoSolution &)
+    {
+        return std::nullopt;
+    }
 }
 
 } // namespace mrpp

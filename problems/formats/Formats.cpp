@@ -11,8 +11,9 @@
 #include "problems/formats/Paths.h"
 #include "problems/formats/SolutionCsv.h"
 #include "problems/formats/Surynek.h"
-#include "problems/formats/TextReader.h"
 #include "problems/formats/Tracker.h"
+#include "problems/formats/VetandXml.h"
+#include "problems/formats/support/TextReader.h"
 
 #include <algorithm>
 
@@ -23,34 +24,42 @@ namespace
 {
 
 constexpr const char *kGraphFormats =
-    "a graph is a MovingAI map (.map), GraphML (.graphml, .xml, .gml; begins with '<'), DIMACS or a list of "
-    "edges, or stands with its robots in .cpf, libMultiRobotPlanning's YAML or a GraphRec file";
+    "a graph is a MovingAI map (.map), GraphML (.graphml, .xml, .gml; begins with '<'), DIMACS, Matrix "
+    "Market "
+    "or a list of edges, or stands with its robots in .cpf, libMultiRobotPlanning's YAML, vetand's XML or a "
+    "GraphRec file";
 constexpr const char *kInstanceFormats =
     "an instance is text ('graph = <file>', 'agent: start = <vertex>, goal = <vertex>'), Surynek's .cpf, "
     "Kei18's "
-    "text, libMultiRobotPlanning's YAML, a GraphRec file, or a MovingAI scenario (.scen)";
+    "text, libMultiRobotPlanning's YAML, vetand's XML, a GraphRec file, or a MovingAI scenario (.scen)";
 constexpr const char *kSolutionFormats =
     "a solution is CSV ('step,robot,from,to'), Surynek's, Kei18's or GraphRec's, paths of EECBS or LNS, a "
-    "schedule of libMultiRobotPlanning, or a plan of the MAPF tracker (CSV, JSON)";
+    "schedule of libMultiRobotPlanning, an answer of vetand's Push and Rotate, or a plan of the MAPF tracker "
+    "(CSV, "
+    "JSON)";
 
 /// Throws: the file is of another kind than the one asked for, or of no known format.
-[[noreturn]] void refuseKind(FormatId format, const std::filesystem::path &file, const std::string &wanted,
-                             const char *formats)
+[[noreturn]] void refuseKind(const std::filesystem::path &file, std::string_view text,
+                             const std::string &wanted, const char *formats)
 {
-    const std::string what = format == FormatId::unknown ? "of no known format"
-                             : holdsGraph(format)        ? "this is a graph, no " + wanted
-                             : holdsInstance(format)     ? "this is an instance, no " + wanted
-                                                         : "this is a solution, no " + wanted;
+    const FormatId format = formatOf(text); // whatever its name says
+    const std::string what = "this is " + describe(format, text) +
+                             (format == FormatId::unknown ? ", of no known format" : ", no " + wanted);
     throw ParseError({file.string(), 1, 1}, what + "; " + formats);
 }
 
 LoadedGraph mapOnly(GridMap map)
 {
     auto graph = map.graph;
-    return {std::move(graph), std::move(map), {}};
+    return {std::move(graph), std::move(map), {}, {}};
 }
 
-LoadedGraph parseGraph(const std::filesystem::path &file, std::string_view text)
+LoadedGraph fromLines(GraphText read)
+{
+    return {std::move(read.graph), std::nullopt, std::move(read.warnings), std::move(read.vertexNames)};
+}
+
+LoadedGraph parseGraph(const std::filesystem::path &file, std::string_view text, const Passability &rule)
 {
     const std::string name = file.string();
     const FormatId format = formatOf(file, text);
@@ -58,34 +67,38 @@ LoadedGraph parseGraph(const std::filesystem::path &file, std::string_view text)
     {
     case FormatId::graphMl: {
         GraphMl read = parseGraphMl(text, name);
-        return {std::move(read.graph), std::nullopt, std::move(read.warnings)};
+        return {std::move(read.graph), std::nullopt, std::move(read.warnings), {}};
     }
     case FormatId::movingAiMap:
-        return mapOnly(parseMovingAiMap(text, name));
-    case FormatId::dimacs: {
-        GraphText read = parseDimacs(text, name);
-        return {std::move(read.graph), std::nullopt, std::move(read.warnings)};
-    }
-    case FormatId::edgeList: {
-        GraphText read = parseEdgeList(text, name);
-        return {std::move(read.graph), std::nullopt, std::move(read.warnings)};
-    }
+        return mapOnly(parseMovingAiMap(text, name, rule));
+    case FormatId::dimacs:
+        return fromLines(parseDimacs(text, name));
+    case FormatId::edgeList:
+        return fromLines(parseEdgeList(text, name));
+    case FormatId::matrixMarket:
+        return fromLines(parseMatrixMarket(text, name));
     case FormatId::cpf: {
         CpfProblem read = parseCpf(text, name);
-        return {std::move(read.instance.graph), std::nullopt, std::move(read.warnings)};
+        return {std::move(read.instance.graph), std::nullopt, std::move(read.warnings), {}};
     }
     case FormatId::libMrpInstance: {
         LibMrpInstance read = parseLibMrpInstance(text, name);
-        return {std::move(read.instance.graph), std::nullopt, std::move(read.warnings)};
+        return {std::move(read.instance.graph), std::move(read.map), std::move(read.warnings),
+                std::move(read.vertexNames)};
+    }
+    case FormatId::vetandInstance:
+    case FormatId::vetandResult: {
+        VetandInstance read = parseVetandInstance(text, name);
+        return {std::move(read.instance.graph), std::move(read.map), {}, {}};
     }
     case FormatId::graphRec:
     case FormatId::graphRecXml: {
         GraphRecFile read =
             format == FormatId::graphRec ? parseGraphRec(text, name) : parseGraphRecXml(text, name);
-        return {std::move(read.graph), std::nullopt, std::move(read.warnings)};
+        return {std::move(read.graph), std::nullopt, std::move(read.warnings), {}};
     }
     default:
-        refuseKind(format, file, "graph", kGraphFormats);
+        refuseKind(file, text, "graph", kGraphFormats);
     }
 }
 
@@ -97,27 +110,41 @@ LoadedGraph loadMapFor(const InstanceSource &source, const std::string &mapName)
     if (!source.graph && (mapName.empty() || !std::filesystem::exists(file, error)))
         throw FileError({source.instance.string()},
                         "its map " + inQuotes(mapName) + " does not lie beside it; name the map's file");
-    LoadedGraph graph = loadGraph(file);
+    LoadedGraph graph = loadGraph(file, passability(source.passability));
     if (!graph.map)
         throw ParseError({file.string(), 1, 1},
                          "this instance needs a MovingAI map, but this is another graph");
     return graph;
 }
 
+/// An instance on a map of its own file.
+LoadedInstance onMap(Instance instance, LoadedGraph graph)
+{
+    LoadedInstance loaded{std::move(instance), std::move(graph.warnings), {}};
+    loaded.map = std::move(graph.map);
+    return loaded;
+}
+
 LoadedInstance fromScenario(const InstanceSource &source, std::string_view text)
 {
     const Scenario scenario = parseMovingAiScenario(text, source.instance.string());
     LoadedGraph graph = loadMapFor(source, scenario.mapName());
-    return {scenarioInstance(scenario, *graph.map, source.robots.value_or(scenario.records.size())),
-            std::move(graph.warnings),
-            {}};
+    Instance instance =
+        scenarioInstance(scenario, *graph.map, source.robots.value_or(scenario.records.size()));
+    LoadedInstance loaded = onMap(std::move(instance), std::move(graph));
+    loaded.graphName = std::filesystem::path(scenario.mapName()).stem().string();
+    return loaded;
 }
 
 LoadedInstance fromKei18(const InstanceSource &source, std::string_view text)
 {
     const Kei18Instance parsed = parseKei18Instance(text, source.instance.string());
-    LoadedGraph graph = loadMapFor(source, std::filesystem::path(parsed.map).filename().string());
-    return {kei18Instance(parsed, *graph.map), std::move(graph.warnings), {}};
+    const std::string mapName(fileNameIn(parsed.map));
+    LoadedGraph graph = loadMapFor(source, mapName);
+    Instance instance = kei18Instance(parsed, *graph.map);
+    LoadedInstance loaded = onMap(std::move(instance), std::move(graph));
+    loaded.graphName = std::filesystem::path(mapName).stem().string();
+    return loaded;
 }
 
 LoadedInstance fromText(const InstanceSource &source, std::string_view text)
@@ -130,8 +157,14 @@ LoadedInstance fromText(const InstanceSource &source, std::string_view text)
     if (!source.graph && !std::filesystem::exists(parsed.graphPath()))
         throw ParseError({parsed.file, parsed.graphLine, 1}, "there is no file " + inQuotes(parsed.graph) +
                                                                  " relative to the instance or beside it");
-    LoadedGraph graph = loadGraph(source.graph ? *source.graph : parsed.graphPath());
-    return {textInstance(parsed, std::move(graph.graph)), std::move(graph.warnings), {}};
+    const std::filesystem::path file = source.graph ? *source.graph : parsed.graphPath();
+    LoadedGraph graph = loadGraph(file, passability(source.passability));
+    std::vector<std::string> names = std::move(graph.vertexNames);
+    Instance instance = textInstance(parsed, graph.graph);
+    LoadedInstance loaded = onMap(std::move(instance), std::move(graph));
+    loaded.vertexNames = std::move(names);
+    loaded.graphName = file.stem().string();
+    return loaded;
 }
 
 LoadedInstance fromGraphRec(GraphRecFile file)
@@ -145,11 +178,12 @@ LoadedInstance fromGraphRec(GraphRecFile file)
 
 /// An instance whose file holds its graph, on a graph that was given apart: coordinates and weights may
 /// differ, nothing else.
-void putOnGraph(Instance &instance, const InstanceSource &source)
+void putOnGraph(LoadedInstance &loaded, const InstanceSource &source)
 {
     if (!source.graph)
         return;
-    auto graph = loadGraph(*source.graph).graph;
+    Instance &instance = loaded.instance;
+    auto graph = loadGraph(*source.graph, passability(source.passability)).graph;
     const Graph &own = *instance.graph;
     bool same = own.vertexCount() == graph->vertexCount() && own.edgeCount() == graph->edgeCount();
     for (Vertex v = 0; same && v < own.vertexCount(); ++v)
@@ -158,6 +192,9 @@ void putOnGraph(Instance &instance, const InstanceSource &source)
     if (!same)
         throw InputError({source.graph->string()},
                          "this is another graph than the one in " + inQuotes(source.instance.string()));
+    if (!std::equal(own.coordinates().begin(), own.coordinates().end(), graph->coordinates().begin(),
+                    graph->coordinates().end()))
+        loaded.map.reset();
     instance.graph = std::move(graph);
 }
 
@@ -183,7 +220,14 @@ LoadedInstance parseInstance(const InstanceSource &source, std::string_view text
     }
     case FormatId::libMrpInstance: {
         LibMrpInstance read = parseLibMrpInstance(text, name);
-        loaded = {std::move(read.instance), std::move(read.warnings), std::move(read.vertexNames)};
+        loaded = {std::move(read.instance), std::move(read.warnings), std::move(read.vertexNames),
+                  std::move(read.robotNames), std::move(read.map)};
+        break;
+    }
+    case FormatId::vetandInstance:
+    case FormatId::vetandResult: {
+        VetandInstance read = parseVetandInstance(text, name);
+        loaded = {std::move(read.instance), {}, {}, {}, std::move(read.map)};
         break;
     }
     case FormatId::graphRec:
@@ -193,17 +237,17 @@ LoadedInstance parseInstance(const InstanceSource &source, std::string_view text
         loaded = fromGraphRec(parseGraphRecXml(text, name));
         break;
     default:
-        refuseKind(format, source.instance, "instance", kInstanceFormats);
+        refuseKind(source.instance, text, "instance", kInstanceFormats);
     }
-    putOnGraph(loaded.instance, source);
+    putOnGraph(loaded, source);
     return loaded;
 }
 
 } // namespace
 
-LoadedGraph loadGraph(const std::filesystem::path &file)
+LoadedGraph loadGraph(const std::filesystem::path &file, const Passability &rule)
 {
-    return parseGraph(file, readFile(file));
+    return parseGraph(file, readFile(file), rule);
 }
 
 LoadedInstance loadInstance(const InstanceSource &source)
@@ -216,12 +260,38 @@ LoadedInstance loadInstance(const InstanceSource &source)
                              std::to_string(*source.robots) + " robots asked for");
     instance.starts.resize(source.robots.value_or(instance.robotCount()));
     instance.goals.resize(instance.starts.size());
+    if (loaded.robotNames.size() > instance.robotCount())
+        loaded.robotNames.resize(instance.robotCount());
+    loaded.scenario = source.instance.filename().string();
     return loaded;
 }
 
-SolutionRows loadSolution(const std::filesystem::path &file, const Instance &instance,
-                          std::span<const std::string> vertexNames)
+namespace
 {
+
+TrackerContext trackerContextOf(const LoadedInstance &loaded)
+{
+    TrackerContext context;
+    context.map = loaded.graphName;
+    if (const auto name = trackerName(loaded.scenario))
+    {
+        context.map = context.map.empty() ? name->map : context.map;
+        context.type = name->type;
+        context.number = name->number;
+    }
+    return context;
+}
+
+} // namespace
+
+SolutionRows loadSolution(const std::filesystem::path &file, const Instance &instance)
+{
+    return loadSolution(file, LoadedInstance{instance, {}, {}});
+}
+
+SolutionRows loadSolution(const std::filesystem::path &file, const LoadedInstance &loaded)
+{
+    const Instance &instance = loaded.instance;
     const std::string text = readFile(file);
     const std::string name = file.string();
     const FormatId format = formatOf(file, text);
@@ -236,17 +306,20 @@ SolutionRows loadSolution(const std::filesystem::path &file, const Instance &ins
     case FormatId::paths:
         return parsePaths(text, name, instance);
     case FormatId::libMrpSchedule:
-        return parseLibMrpSchedule(text, name, instance, vertexNames);
+        return parseLibMrpSchedule(text, name, instance, loaded.vertexNames, loaded.robotNames);
+    case FormatId::vetandInstance: // an answer without moves
+    case FormatId::vetandResult:
+        return parseVetandResult(text, name, instance);
     case FormatId::trackerCsv:
-        return parseTracker(text, name, TrackerForm::csv, instance);
+        return parseTracker(text, name, TrackerForm::csv, instance, trackerContextOf(loaded));
     case FormatId::trackerJson:
-        return parseTracker(text, name, TrackerForm::json, instance);
+        return parseTracker(text, name, TrackerForm::json, instance, trackerContextOf(loaded));
     case FormatId::graphRec:
         return graphRecRows(parseGraphRec(text, name), instance);
     case FormatId::graphRecXml:
         return graphRecRows(parseGraphRecXml(text, name), instance);
     default:
-        refuseKind(format, file, "solution", kSolutionFormats);
+        refuseKind(file, text, "solution", kSolutionFormats);
     }
 }
 
@@ -260,13 +333,16 @@ std::optional<std::filesystem::path> graphFileOf(const std::filesystem::path &in
     case FormatId::scenario:
         return beside(parseMovingAiScenario(text, instance.string()).mapName());
     case FormatId::kei18Instance:
-        return beside(
-            std::filesystem::path(parseKei18Instance(text, instance.string()).map).filename().string());
+        return beside(std::string(fileNameIn(parseKei18Instance(text, instance.string()).map)));
     case FormatId::cpf:
     case FormatId::libMrpInstance:
+    case FormatId::vetandInstance:
+    case FormatId::vetandResult:
     case FormatId::graphRec:
     case FormatId::graphRecXml:
         return std::nullopt; // the graph stands in the file itself
+    case FormatId::unknown:
+        refuseKind(instance, text, "instance", kInstanceFormats);
     default: {
         const InstanceText parsed = parseInstanceText(text, instance.string());
         return parsed.graphLine == 0 ? std::nullopt : std::optional(parsed.graphPath());

@@ -27,26 +27,33 @@ namespace mrpp
 struct LoadedGraph
 {
     std::shared_ptr<const Graph> graph;
-    std::optional<GridMap> map;        ///< where the file is a map of cells
-    std::vector<std::string> warnings; ///< see GraphMl
+    std::optional<GridMap> map;           ///< where the file is a map of cells
+    std::vector<std::string> warnings;    ///< see GraphMl
+    std::vector<std::string> vertexNames; ///< of roadmaps, and of lists of edges with gaps; else empty
 };
 
 /// Reads a graph of any format, also out of a file that holds its robots too. Throws InputError where the
-/// file holds no graph, or is malformed.
-[[nodiscard]] LoadedGraph loadGraph(const std::filesystem::path &file);
+/// file holds no graph, or is malformed. \param rule which symbols of a MovingAI map robots may stand on
+[[nodiscard]] LoadedGraph loadGraph(const std::filesystem::path &file,
+                                    const Passability &rule = passability());
 
 struct InstanceSource
 {
     std::filesystem::path instance;             ///< of any format that holds robots
     std::optional<std::filesystem::path> graph; ///< overrides the graph that the instance names or holds
     std::optional<std::size_t> robots;          ///< how many of the file's robots; all where it is missing
+    std::string passability = "movingai";       ///< of a MovingAI map, see passabilities()
 };
 
 struct LoadedInstance
 {
     Instance instance;
     std::vector<std::string> warnings;
-    std::vector<std::string> vertexNames; ///< of a roadmap, whose schedules speak of them; else empty
+    std::vector<std::string> vertexNames;      ///< of a roadmap, whose schedules speak of them; else empty
+    std::vector<std::string> robotNames = {};  ///< other ones than agent0, agent1, …; else empty
+    std::optional<GridMap> map = std::nullopt; ///< where the graph is a map of cells
+    std::string graphName = {};                ///< of the file in which the graph lies, without extension
+    std::string scenario = {};                 ///< the instance's file name, which may tell its scenario
 };
 
 /// Reads an instance and its graph. Without `graph`, instance text names it, the map of a scenario or of
@@ -56,9 +63,9 @@ struct LoadedInstance
 
 /// Reads a solution or schedule of any format. The moves may be wrong; validate() says so. Throws InputError
 /// where the file is malformed or cannot speak of this instance.
-/// \param vertexNames see LoadedInstance
-[[nodiscard]] SolutionRows loadSolution(const std::filesystem::path &file, const Instance &instance,
-                                        std::span<const std::string> vertexNames = {});
+[[nodiscard]] SolutionRows loadSolution(const std::filesystem::path &file, const LoadedInstance &loaded);
+/// The same where nothing but the instance is known.
+[[nodiscard]] SolutionRows loadSolution(const std::filesystem::path &file, const Instance &instance);
 
 /// The file in which the graph of an instance file lies, if the instance says so. Throws InputError where the
 /// instance cannot be read.

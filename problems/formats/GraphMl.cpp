@@ -2,11 +2,13 @@
 
 #include "framework/support/Config.h"
 #include "framework/support/File.h"
+#include "problems/formats/FormatId.h"
 #include "problems/formats/GraphMlData.h"
-#include "problems/formats/TextReader.h"
+#include "problems/formats/support/TextReader.h"
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <charconv>
 #include <unordered_map>
 
@@ -16,10 +18,13 @@ namespace mrpp
 namespace
 {
 
-/// "1 vertex" or "3 vertices", to begin a warning with.
-std::string counted(std::size_t count, const char *one, const char *many)
+/// "True" is "true" for many.
+std::string lowered(std::string_view word)
 {
-    return std::to_string(count) + " " + (count == 1 ? one : many);
+    std::string lower(word);
+    std::transform(lower.begin(), lower.end(), lower.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return lower;
 }
 
 class Reader
@@ -33,7 +38,11 @@ public:
     {
         const pugi::xml_node graph = onlyGraph();
         readNodes(graph);
+        strangers_ = 0; // both walks meet them
         readEdges(graph);
+        if (strangers_ > 0)
+            warnings_.push_back(counted(strangers_, "element is", "elements are") +
+                                " skipped: called as GraphML's are, but of another namespace");
         warnAboutIds();
         GraphMl result;
         result.graph = Graph::fromEdges(nodes_.size(), edges_, takeCoordinates(), data_.yAxis(graph));
@@ -96,6 +105,8 @@ private:
             }
             if (data_.isOurs(element))
                 visit(element);
+            else if (data_.isStranger(element))
+                ++strangers_;
             if (const pugi::xml_node group = graphInGroup(element))
             {
                 inside = group;
@@ -118,10 +129,10 @@ private:
 
     [[nodiscard]] bool isDirected(pugi::xml_node graph) const
     {
-        const std::string_view direction = graph.attribute("edgedefault").value();
+        const std::string direction = lowered(graph.attribute("edgedefault").value());
         if (!direction.empty() && direction != "undirected" && direction != "directed")
-            document_.fail(graph,
-                           "edgedefault is " + inQuotes(direction) + "; expected 'undirected' or 'directed'");
+            document_.fail(graph, "edgedefault is " + inQuotes(graph.attribute("edgedefault").value()) +
+                                      "; expected 'undirected' or 'directed'");
         return direction == "directed";
     }
 
@@ -178,10 +189,20 @@ private:
                 document_.checkAttributes(child);
                 data_.checkContent(child);
                 edges_.push_back({endOf(child, "source"), endOf(child, "target"), data_.weight(child)});
-                const std::string_view own = child.attribute("directed").value();
-                if (own.empty() ? isDirected(child.parent()) : own == "true" || own == "1")
-                    arcs_.push_back({edges_.back().a, edges_.back().b});
+                if (isDirectedEdge(child))
+                    arcs_.push_back({edges_.back().a, edges_.back().b, edges_.back().weight});
             });
+    }
+
+    [[nodiscard]] bool isDirectedEdge(pugi::xml_node edge) const
+    {
+        const std::string own = lowered(edge.attribute("directed").value());
+        if (own.empty())
+            return isDirected(edge.parent());
+        if (own != "true" && own != "false" && own != "1" && own != "0")
+            document_.fail(edge, "'directed' is " + inQuotes(edge.attribute("directed").value()) +
+                                     "; expected 'true' or 'false'");
+        return own == "true" || own == "1";
     }
 
     [[nodiscard]] Vertex endOf(pugi::xml_node edge, const char *end) const
@@ -233,16 +254,34 @@ private:
         if (loops > 0)
             warnings_.push_back(counted(loops, "loop is", "loops are") + " dropped");
 
-        std::sort(arcs_.begin(), arcs_.end());
-        arcs_.erase(std::unique(arcs_.begin(), arcs_.end()), arcs_.end());
+        const auto byEnds = [](const Graph::Edge &x, const Graph::Edge &y)
+        { return std::pair(x.a, x.b) < std::pair(y.a, y.b); };
+        std::stable_sort(arcs_.begin(), arcs_.end(), byEnds);
+        arcs_.erase(std::unique(arcs_.begin(), arcs_.end(),
+                                [](const Graph::Edge &x, const Graph::Edge &y)
+                                { return x.a == y.a && x.b == y.b; }),
+                    arcs_.end());
         std::size_t opposites = 0; // arcs whose opposite is there too
         std::size_t oneWay = 0;
-        for (const auto &[a, b] : arcs_)
-            if (a != b)
-                ++(std::binary_search(arcs_.begin(), arcs_.end(), std::pair(b, a)) ? opposites : oneWay);
+        std::size_t uneven = 0; // pairs of opposites with different weights
+        for (const Graph::Edge &arc : arcs_)
+        {
+            if (arc.a == arc.b)
+                continue;
+            const auto opposite =
+                std::lower_bound(arcs_.begin(), arcs_.end(), Graph::Edge{arc.b, arc.a, 1}, byEnds);
+            const bool isThere = opposite != arcs_.end() && opposite->a == arc.b && opposite->b == arc.a;
+            ++(isThere ? opposites : oneWay);
+            uneven += isThere && arc.a < arc.b && opposite->weight != arc.weight ? 1 : 0;
+        }
         if (oneWay > 0)
             warnings_.push_back(counted(oneWay, "directed edge has", "directed edges have") +
                                 " no opposite; robots may go both ways along every edge");
+
+        if (uneven > 0)
+            warnings_.push_back(
+                counted(uneven, "edge has", "edges have") +
+                " another weight in the opposite direction; the one that comes first is kept");
 
         const std::size_t parallel = edges_.size() - loops - opposites / 2 - graph.edgeCount();
         if (parallel > 0)
@@ -259,7 +298,8 @@ private:
     std::unordered_map<std::string_view, Named> ids_;
     std::vector<Point> coordinates_;
     std::vector<Graph::Edge> edges_;
-    std::vector<std::pair<Vertex, Vertex>> arcs_; ///< the directed edges among them
+    std::vector<Graph::Edge> arcs_; ///< the directed edges among them
+    std::size_t strangers_ = 0;     ///< elements of other namespaces that are called as GraphML's are
     std::vector<std::string> warnings_;
 };
 
@@ -280,9 +320,7 @@ GraphMl readGraphMl(const std::filesystem::path &file)
 
 GraphMl parseGraphMl(std::string_view text, const std::string &file)
 {
-    if (LineCursor begin(trimmed(withoutByteOrderMark(text))); begin.take("graph") && begin.take("["))
-        throw ParseError({file, 1, 1}, "this is GML, the bracketed format; export the graph as GraphML");
-    return Reader(text, file).read();
+    return readAs(FormatId::graphMl, text, file, [&] { return Reader(text, file).read(); });
 }
 
 std::string formatGraphMl(const Graph &graph)

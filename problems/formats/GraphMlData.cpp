@@ -2,7 +2,7 @@
 
 #include "framework/support/Config.h"
 #include "framework/support/Suggestion.h"
-#include "problems/formats/TextReader.h"
+#include "problems/formats/support/TextReader.h"
 
 #include <algorithm>
 #include <cctype>
@@ -19,8 +19,7 @@ bool equalIgnoringCase(std::string_view a, std::string_view b)
 }
 } // namespace
 
-GraphMlData::GraphMlData(const XmlDocument &document)
-    : document_(document), prefix_(namespacePrefix(document.root()))
+GraphMlData::GraphMlData(const XmlDocument &document) : document_(document), namespace_(document)
 {
     for (const pugi::xml_node child : document.root().children())
     {
@@ -50,7 +49,14 @@ GraphMlData::GraphMlData(const XmlDocument &document)
 
 bool GraphMlData::isOurs(pugi::xml_node element) const
 {
-    return element.type() == pugi::node_element && namespacePrefix(element) == prefix_;
+    return namespace_.contains(element);
+}
+
+bool GraphMlData::isStranger(pugi::xml_node element) const
+{
+    const std::string_view name = localName(element);
+    return element.type() == pugi::node_element && !isOurs(element) &&
+           (name == "node" || name == "edge" || name == "graph" || name == "key" || name == "data");
 }
 
 const GraphMlData::Key *GraphMlData::find(std::string_view id) const
@@ -201,6 +207,8 @@ std::optional<Point> GraphMlData::boxCentre(pugi::xml_node node) const
         {
             if (localName(part) != "Geometry")
                 continue;
+            if (!part.attribute("x") && !part.attribute("y"))
+                return std::nullopt; // never laid out
             const auto read = [&](const char *name)
             { return number(part, document_.required(part, name), name); };
             return Point{read("x") + read("width") / 2, read("y") + read("height") / 2, 0};

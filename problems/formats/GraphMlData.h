@@ -4,7 +4,7 @@
 /// reader.
 
 #include "framework/model/Graph.h"
-#include "problems/formats/XmlDocument.h"
+#include "problems/formats/support/XmlDocument.h"
 
 #include <array>
 #include <initializer_list>
@@ -33,6 +33,9 @@ public:
     /// Throws ParseError where data of a node or edge has a key that is not declared, or where it holds what
     /// would be lost.
     void checkContent(pugi::xml_node element) const;
+
+    /// Whether an element only looks as if it belonged to GraphML: its name does, its namespace does not.
+    [[nodiscard]] bool isStranger(pugi::xml_node element) const;
 
     /// Throws ParseError where it is malformed.
     [[nodiscard]] std::optional<Point> coordinate(pugi::xml_node node) const;
@@ -64,7 +67,7 @@ private:
     [[nodiscard]] std::optional<Point> boxCentre(pugi::xml_node node) const;
 
     const XmlDocument &document_;
-    std::string_view prefix_;
+    XmlNamespace namespace_;
     std::vector<Key> keys_;
     std::unordered_map<std::string_view, std::size_t> positions_; ///< of the keys, by their ids
     const Key *point_ = nullptr;                                  ///< the whole coordinate in one text

@@ -1,7 +1,8 @@
 #include "problems/formats/GraphRec.h"
 
+#include "framework/model/DrawingCoordinates.h"
 #include "framework/support/Error.h"
-#include "problems/formats/TextWriter.h"
+#include "problems/formats/support/TextWriter.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,19 +14,20 @@ namespace
 {
 
 /// How many units of GraphRec one unit of the coordinates takes, for neighbours to lie well apart on average.
-double scaleOf(const Graph &graph)
+double scaleOf(const Graph &graph, const std::vector<Point> &points)
 {
     constexpr double wanted = 60;
+    constexpr double largest = 1e9; // of what is written
     double total = 0;
+    double extent = 0;
     const auto edges = graph.edges();
     for (const Graph::Edge &edge : edges)
-    {
-        const Point &a = graph.coordinate(edge.a);
-        const Point &b = graph.coordinate(edge.b);
-        total += std::hypot(a.x - b.x, a.y - b.y);
-    }
+        total += std::hypot(points[edge.a].x - points[edge.b].x, points[edge.a].y - points[edge.b].y);
+    for (const Point &point : points)
+        extent = std::max({extent, std::abs(point.x), std::abs(point.y)});
     const double scale = wanted * static_cast<double>(edges.size()) / total;
-    return std::isfinite(scale) && scale > 0 ? scale : wanted;
+    const double scaled = std::isfinite(scale) && scale > 0 ? scale : wanted;
+    return extent > 0 ? std::min(scaled, largest / extent) : scaled;
 }
 
 class Writer
@@ -35,8 +37,10 @@ public:
         : instance_(instance), graph_(*instance.graph), schedule_(schedule),
           follows_(rule >= MotionRule::following), sink_(sink)
     {
-        if (graph_.hasCoordinates())
-            scale_ = scaleOf(graph_);
+        if (!graph_.hasCoordinates())
+            return;
+        points_ = drawingCoordinates(graph_);
+        scale_ = scaleOf(graph_, points_);
     }
 
     void writeText()
@@ -122,10 +126,10 @@ private:
         return owner;
     }
 
-    [[nodiscard]] double x(Vertex v) const { return rounded(graph_.coordinate(v).x * scale_); }
+    [[nodiscard]] double x(Vertex v) const { return rounded(points_[v].x * scale_); }
     [[nodiscard]] double y(Vertex v) const
     {
-        return rounded(graph_.coordinate(v).y * (graph_.yAxis() == YAxis::down ? scale_ : -scale_));
+        return rounded(points_[v].y * (graph_.yAxis() == YAxis::down ? scale_ : -scale_));
     }
     static double rounded(double value)
     {
@@ -163,6 +167,7 @@ private:
     const Graph &graph_;
     const Schedule &schedule_;
     bool follows_;
+    std::vector<Point> points_; ///< none where the graph has none
     double scale_ = 1;
     const TextSink &sink_;
     TextWriter out_;

@@ -1,5 +1,7 @@
 #include "problems/formats/GraphRecBuilder.h"
 
+#include "problems/formats/support/TextReader.h"
+
 #include <algorithm>
 
 namespace mrpp
@@ -81,8 +83,9 @@ GraphRecFile GraphRecBuilder::take()
     }
     result_.graph = Graph::fromEdges(vertices_.size(), edges_, std::move(points_), YAxis::down);
     if (result_.graph->edgeCount() < edges_.size())
-        result_.warnings.push_back(std::to_string(edges_.size() - result_.graph->edgeCount()) +
-                                   " loops or repeated edges are left out");
+        result_.warnings.push_back(counted(edges_.size() - result_.graph->edgeCount(),
+                                           "loop or repeated edge is", "loops or repeated edges are") +
+                                   " left out");
     for (const auto &[robot, start] : starts_)
         result_.starts.push_back(start);
     const bool goalsFit = starts_.size() == goals_.size() &&

@@ -1,8 +1,9 @@
 /// The reader of GraphRec's text form.
 
 #include "framework/support/Config.h"
+#include "problems/formats/FormatId.h"
 #include "problems/formats/GraphRecBuilder.h"
-#include "problems/formats/TextReader.h"
+#include "problems/formats/support/TextReader.h"
 
 #include <algorithm>
 #include <cctype>
@@ -40,6 +41,8 @@ public:
                 reader_.fail(column, "there is something behind 'Length:'; a file holds one graph here");
             if (cursor.take("("))
                 readVertex(cursor);
+            else if (cursor.take("v") && cursor.take("="))
+                hasBegun_ = true;
             else if (cursor.take("{"))
                 readEdge(cursor);
             else if (cursor.take("id:"))
@@ -52,6 +55,8 @@ public:
         if (!ended)
             reader_.fail(reader_.line() + 1, 1,
                          "the file ends without a line 'Length:<number>', at which GraphRec ends a graph");
+        if (!hasBegun_)
+            reader_.fail(1, 1, "there is neither a line 'id:1' nor 'V =', behind which the vertices stand");
         return builder_.take();
     }
 
@@ -67,7 +72,7 @@ private:
     {
         if (hasId_)
             reader_.fail(column, "a second graph begins here; a file holds one graph here");
-        hasId_ = true;
+        hasId_ = hasBegun_ = true;
     }
 
     bool readLength(LineCursor &cursor)
@@ -82,6 +87,7 @@ private:
         const std::size_t column = cursor.column();
         const std::int64_t id = expectInteger(reader_, cursor, "vertex");
         check(builder_.addVertex(id), column);
+        hasBegun_ = true;
         expectText(reader_, cursor, ":", kVertexForm);
         (void)expectInteger(reader_, cursor, "cycle");
         expectText(reader_, cursor, ")", kVertexForm);
@@ -156,13 +162,14 @@ private:
     TextReader reader_;
     GraphRecBuilder builder_;
     bool hasId_ = false;
+    bool hasBegun_ = false;
 };
 
 } // namespace
 
 GraphRecFile parseGraphRec(std::string_view text, const std::string &file)
 {
-    return Reader(text, file).read();
+    return readAs(FormatId::graphRec, text, file, [&] { return Reader(text, file).read(); });
 }
 
 } // namespace mrpp

@@ -1,9 +1,10 @@
 /// The reader of GraphRec's XML.
 
 #include "framework/support/Config.h"
+#include "problems/formats/FormatId.h"
 #include "problems/formats/GraphRecBuilder.h"
-#include "problems/formats/TextReader.h"
-#include "problems/formats/XmlDocument.h"
+#include "problems/formats/support/TextReader.h"
+#include "problems/formats/support/XmlDocument.h"
 
 namespace mrpp
 {
@@ -97,7 +98,7 @@ private:
 
 GraphRecFile parseGraphRecXml(std::string_view text, const std::string &file)
 {
-    return Reader(text, file).read();
+    return readAs(FormatId::graphRecXml, text, file, [&] { return Reader(text, file).read(); });
 }
 
 } // namespace mrpp

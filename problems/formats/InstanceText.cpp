@@ -2,7 +2,8 @@
 
 #include "framework/support/Config.h"
 #include "framework/support/File.h"
-#include "problems/formats/TextReader.h"
+#include "problems/formats/FormatId.h"
+#include "problems/formats/support/TextReader.h"
 
 #include <algorithm>
 
@@ -60,7 +61,7 @@ std::filesystem::path InstanceText::graphPath() const
     std::error_code error;
     if (std::filesystem::exists(named, error))
         return named;
-    std::filesystem::path beside = folder / std::filesystem::path(graph).filename();
+    std::filesystem::path beside = folder / fileNameIn(graph);
     return std::filesystem::exists(beside, error) ? beside : named;
 }
 
@@ -69,7 +70,10 @@ InstanceText readInstanceText(const std::filesystem::path &file)
     return parseInstanceText(readFile(file), file.string());
 }
 
-InstanceText parseInstanceText(std::string_view text, const std::string &file)
+namespace
+{
+
+InstanceText readLines(std::string_view text, const std::string &file)
 {
     TextReader reader(text, file);
     InstanceText instance;
@@ -105,6 +109,13 @@ InstanceText parseInstanceText(std::string_view text, const std::string &file)
     if (instance.graphLine == 0 && instance.agents.empty())
         reader.fail(1, 1, std::string("the file is empty; ") + kForm);
     return instance;
+}
+
+} // namespace
+
+InstanceText parseInstanceText(std::string_view text, const std::string &file)
+{
+    return readAs(FormatId::instanceText, text, file, [&] { return readLines(text, file); });
 }
 
 Instance textInstance(const InstanceText &text, std::shared_ptr<const Graph> graph)

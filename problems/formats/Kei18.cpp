@@ -1,9 +1,10 @@
 #include "problems/formats/Kei18.h"
 
 #include "framework/support/Config.h"
-#include "problems/formats/Cells.h"
-#include "problems/formats/TextReader.h"
-#include "problems/formats/TextWriter.h"
+#include "problems/formats/FormatId.h"
+#include "problems/formats/support/Cells.h"
+#include "problems/formats/support/TextReader.h"
+#include "problems/formats/support/TextWriter.h"
 
 #include <algorithm>
 #include <optional>
@@ -41,9 +42,7 @@ std::pair<std::int64_t, std::int64_t> readCell(const TextReader &reader, LineCur
     return {x, y};
 }
 
-} // namespace
-
-Kei18Instance parseKei18Instance(std::string_view text, const std::string &file)
+Kei18Instance readInstance(std::string_view text, const std::string &file)
 {
     TextReader reader(text, file);
     Kei18Instance instance;
@@ -116,6 +115,13 @@ Kei18Instance parseKei18Instance(std::string_view text, const std::string &file)
     return instance;
 }
 
+} // namespace
+
+Kei18Instance parseKei18Instance(std::string_view text, const std::string &file)
+{
+    return readAs(FormatId::kei18Instance, text, file, [&] { return readInstance(text, file); });
+}
+
 Instance kei18Instance(const Kei18Instance &text, const GridMap &map)
 {
     InstanceBuilder builder(map.graph, text.file);
@@ -148,10 +154,7 @@ std::string formatKei18Instance(const Instance &instance, const std::string &map
     TextWriter out;
     out.line("map_file=", mapName);
     out.line("agents=", std::uint64_t{instance.robotCount()});
-    out.line("seed=0");
     out.line("random_problem=0");
-    out.line("max_timestep=1000");
-    out.line("max_comp_time=60000");
     for (std::size_t r = 0; r < instance.robotCount(); ++r)
     {
         const auto [startX, startY] = cells.cellOf(instance.starts[r]);
@@ -161,18 +164,23 @@ std::string formatKei18Instance(const Instance &instance, const std::string &map
     return out.take();
 }
 
-SolutionRows parseKei18Result(std::string_view text, const std::string &file, const Instance &instance)
+namespace
+{
+
+SolutionRows readResult(std::string_view text, const std::string &file, const Instance &instance)
 {
     const Cells cells(*instance.graph);
     TextReader reader(text, file);
     std::vector<std::vector<PathPoint>> paths;
     std::int64_t time = 0;
     bool begun = false;
+    bool failed = false;
     while (const auto line = reader.next())
     {
         LineCursor cursor(*line);
         if (!begun)
         {
+            failed = failed || trimmed(*line) == "solved=0";
             begun = cursor.take("solution") && cursor.take("=") && cursor.atEnd();
             continue;
         }
@@ -210,6 +218,13 @@ SolutionRows parseKei18Result(std::string_view text, const std::string &file, co
     if (time == 0)
         throw ParseError({file}, "there is no solution behind the line 'solution='");
     return rowsOfPaths(file, instance, paths);
+}
+
+} // namespace
+
+SolutionRows parseKei18Result(std::string_view text, const std::string &file, const Instance &instance)
+{
+    return readAs(FormatId::kei18Result, text, file, [&] { return readResult(text, file, instance); });
 }
 
 std::string formatKei18Result(const Instance &instance, const Schedule &schedule, const std::string &mapName)

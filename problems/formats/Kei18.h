@@ -5,7 +5,7 @@
 /// \code
 /// map_file=room.map          agents=1
 /// agents=1                   map_file=room.map
-/// max_timestep=1000          solved=1
+/// random_problem=0           solved=1
 /// 0,0,2,1                    solution=
 ///                            0:(0,0),
 ///                            1:(1,0),
@@ -56,12 +56,13 @@ struct Kei18Instance
 /// one start or one goal.
 [[nodiscard]] Instance kei18Instance(const Kei18Instance &text, const GridMap &map);
 
+/// Without limits and seed: whoever runs a program sets them.
 /// \param mapName what the line `map_file=` names
 /// Throws InputError where the graph does not lie on cells.
 [[nodiscard]] std::string formatKei18Instance(const Instance &instance, const std::string &mapName);
 
 /// Reads the lines `time:(x,y),…` of a result. Throws ParseError where a line breaks the grammar, times are
-/// not 0, 1, 2, …, or a robot stands on no vertex.
+/// not 0, 1, 2, …, or a robot stands on no vertex, NoSolution where it says solved=0.
 [[nodiscard]] SolutionRows parseKei18Result(std::string_view text, const std::string &file,
                                             const Instance &instance);
 

@@ -1,84 +1,23 @@
+/// The reader and writer of instances; schedules are in LibMrpSchedule.cpp.
+
 #include "problems/formats/LibMrpYaml.h"
 
-#include "problems/formats/Cells.h"
-#include "problems/formats/MovingAiMap.h"
-#include "problems/formats/TextReader.h"
-#include "problems/formats/TextWriter.h"
-#include "problems/formats/YamlTree.h"
+#include "problems/formats/FormatId.h"
+#include "problems/formats/LibMrpVertices.h"
+#include "problems/formats/support/Cells.h"
+#include "problems/formats/support/TextReader.h"
+#include "problems/formats/support/TextWriter.h"
+#include "problems/formats/support/YamlTree.h"
 
-#include <nlohmann/json.hpp>
-#include <optional>
+#include <algorithm>
 #include <unordered_map>
+#include <unordered_set>
 
 namespace mrpp
 {
 
 namespace
 {
-
-/// The tree of a file, and how to take it apart with complaints at the right places.
-class Tree
-{
-public:
-    Tree(std::string_view text, const std::string &file) : file_(file), root_(parseYamlTree(text, file))
-    {
-        if (!root_.isMap())
-            throw ParseError({file_, 1, 1}, "expected YAML with a map of keys at the top");
-    }
-
-    [[nodiscard]] const Config &root() const { return root_; }
-    [[nodiscard]] const std::string &file() const { return file_; }
-
-    [[noreturn]] void fail(const Config &node, const std::string &what) const
-    {
-        throw ParseError({file_, node.where().line, node.where().column}, what);
-    }
-
-    [[nodiscard]] const Config &get(const Config &map, const char *key) const
-    {
-        if (!map.isMap())
-            fail(map, std::string("expected a map with the key '") + key + "'");
-        const Config *value = map.find(key);
-        if (value == nullptr)
-            fail(map, std::string("the key '") + key + "' is missing");
-        return *value;
-    }
-
-    [[nodiscard]] std::int64_t integer(const Config &node, const char *what) const
-    {
-        const auto value = node.isScalar() ? parseInteger(node.text()) : std::nullopt;
-        if (!value)
-            fail(node, "expected a whole number, the " + std::string(what));
-        return *value;
-    }
-
-    /// Two items.
-    [[nodiscard]] std::pair<const Config &, const Config &> pair(const Config &node, const char *form) const
-    {
-        if (!node.isList() || node.items().size() != 2)
-            fail(node, "expected a list of two, " + std::string(form));
-        return {node.items()[0], node.items()[1]};
-    }
-
-    /// Column and row.
-    [[nodiscard]] std::pair<std::int64_t, std::int64_t> point(const Config &node) const
-    {
-        const auto &[x, y] = pair(node, "[column, row]");
-        return {integer(x, "column"), integer(y, "row")};
-    }
-
-    /// The items of a list; none of a key without a value.
-    [[nodiscard]] const std::vector<Config> &items(const Config &node, const char *what) const
-    {
-        if (!node.isList() && node.kind() != Config::Kind::empty)
-            fail(node, "expected a list of " + std::string(what));
-        return node.items();
-    }
-
-private:
-    std::string file_;
-    Config root_;
-};
 
 class InstanceReader
 {
@@ -87,35 +26,100 @@ public:
 
     LibMrpInstance read()
     {
-        const Config *map = tree_.root().find("map");
-        const Config *roadmap = tree_.root().find("roadmap");
+        const Config &root = tree_.root();
+        if (const Config *environment = root.find("environment"))
+            return readSipp(*environment);
+        const Config *map = root.find("map");
+        const Config *roadmap = root.find("roadmap");
         if (map == nullptr && roadmap == nullptr)
-            tree_.fail(tree_.root(), "there is neither a 'map' nor a 'roadmap'");
+            tree_.fail(root, "this YAML holds neither a 'map' nor a 'roadmap'");
         if (map != nullptr && roadmap != nullptr)
             tree_.fail(*roadmap, "there is a 'map' already; expected one of the two");
-        auto graph = map != nullptr ? readMap(*map) : readRoadmap(*roadmap);
+        tree_.allowKeys(root, {"map", "roadmap", "agents", "dynamic_obstacles"});
+        refuseUnlessEmpty(root, "dynamic_obstacles", "obstacles that move are not known here");
+        auto graph = map != nullptr ? readMap(*map, "dimensions") : readRoadmap(*roadmap);
         InstanceBuilder builder(std::move(graph), tree_.file());
-        for (const Config &agent : tree_.items(tree_.get(tree_.root(), "agents"), "agents"))
+        std::vector<std::string> names;
+        for (const Config &agent : tree_.items(tree_.get(root, "agents"), "agents"))
         {
-            if (agent.isMap() && agent.find("potentialGoals") != nullptr)
-                tree_.fail(agent, "this robot may choose its goal; here every robot has one 'goal'");
-            const Config &start = tree_.get(agent, "start");
-            builder.addStart(vertex(start, "start"), start.where().line, start.where().column);
-            const Config &goal = tree_.get(agent, "goal");
-            builder.addGoal(vertex(goal, "goal"), goal.where().line, goal.where().column);
+            addRobot(builder, agent, goalOf(agent));
+            if (const Config *name = agent.find("name"); name != nullptr && name->isScalar())
+                names.push_back(name->text());
         }
-        return {builder.take(), std::move(vertexNames_), std::move(warnings_)};
+        LibMrpInstance result{
+            builder.take(), std::move(map_), std::move(vertexNames_), {}, std::move(warnings_)};
+        if (areNames(names, result.instance.robotCount()))
+            result.robotNames = std::move(names);
+        return result;
     }
 
 private:
-    std::shared_ptr<const Graph> readMap(const Config &map)
+    void refuseUnlessEmpty(const Config &map, const char *key, const char *why) const
+    {
+        if (const Config *value = map.find(key); value != nullptr && !YamlDocument::isEmpty(*value))
+            tree_.fail(*value, why);
+    }
+
+    /// The one goal of a robot, be it the only one that it may choose from.
+    const Config &goalOf(const Config &agent) const
+    {
+        const Config *choices = agent.isMap() ? agent.find("potentialGoals") : nullptr;
+        if (choices == nullptr)
+            return tree_.get(agent, "goal");
+        const auto &goals = tree_.items(*choices, "goals");
+        if (goals.empty())
+            tree_.fail(*choices, "this robot has no goal; here every robot has one");
+        if (goals.size() > 1 || agent.find("goal") != nullptr)
+            tree_.fail(*choices, "this robot may choose its goal; here every robot has one 'goal'");
+        return goals.front();
+    }
+
+    void addRobot(InstanceBuilder &builder, const Config &agent, const Config &goal) const
+    {
+        tree_.allowKeys(agent, {"name", "start", "goal", "potentialGoals"});
+        const Config &start = tree_.get(agent, "start");
+        builder.addStart(vertex(start, "start"), start.where().line, start.where().column);
+        builder.addGoal(vertex(goal, "goal"), goal.where().line, goal.where().column);
+    }
+
+    /// Whether these names tell the robots apart, and are others than agent0, agent1, ….
+    static bool areNames(const std::vector<std::string> &names, std::size_t robots)
+    {
+        bool usual = true;
+        for (std::size_t robot = 0; robot < names.size(); ++robot)
+            usual = usual && names[robot] == "agent" + std::to_string(robot);
+        return names.size() == robots && !usual &&
+               std::unordered_set<std::string>(names.begin(), names.end()).size() == names.size();
+    }
+
+    /// One robot among moving obstacles, none of which may be there.
+    LibMrpInstance readSipp(const Config &environment)
+    {
+        tree_.allowKeys(tree_.root(), {"start", "goal", "environment"});
+        tree_.allowKeys(environment, {"size", "obstacles", "collisionIntervals"});
+        if (const Config *moving = environment.find("collisionIntervals"))
+            for (const Config &interval : tree_.items(*moving, "places and times"))
+                if (!YamlDocument::isEmpty(tree_.get(interval, "intervals")))
+                    tree_.fail(interval,
+                               "this is an input of the program sipp with obstacles that move, which "
+                               "are not known here");
+        InstanceBuilder builder(readMap(environment, "size"), tree_.file());
+        const Config &start = tree_.get(tree_.root(), "start");
+        const Config &goal = tree_.get(tree_.root(), "goal");
+        builder.addStart(vertex(start, "start"), start.where().line, start.where().column);
+        builder.addGoal(vertex(goal, "goal"), goal.where().line, goal.where().column);
+        return {builder.take(), std::move(map_), {}, {"agent1"}, {}};
+    }
+
+    std::shared_ptr<const Graph> readMap(const Config &map, const char *sizeKey)
     {
         constexpr std::int64_t mostCells = 1 << 21;
-        const Config &dimensions = tree_.get(map, "dimensions");
+        const Config &dimensions = tree_.get(map, sizeKey);
         const auto [width, height] = tree_.point(dimensions);
         if (width < 1 || height < 1 || width > mostCells || height > mostCells || width * height > mostCells)
             tree_.fail(dimensions,
                        "expected [columns, rows] of 1 to " + std::to_string(mostCells) + " cells altogether");
+        tree_.allowKeys(map, {sizeKey, "obstacles", "collisionIntervals"});
         width_ = width;
         height_ = height;
         std::string cells(static_cast<std::size_t>(width * height), '.');
@@ -134,39 +138,82 @@ private:
 
     std::shared_ptr<const Graph> readRoadmap(const Config &roadmap)
     {
-        const Config &vertices = tree_.get(roadmap, "vertices");
-        if (!vertices.isMap())
+        if (!roadmap.isMap())
+            tree_.fail(roadmap, "expected a map with the keys 'vertices' and 'edges'");
+        tree_.allowKeys(roadmap, {"undirected", "allow_wait_actions", "vertices", "edges", "conflicts"});
+        std::vector<Point> points;
+        const Config *vertices = roadmap.find("vertices");
+        if (vertices != nullptr)
+            points = readVertices(*vertices);
+        std::vector<Graph::Edge> edges;
+        const auto end = [&](const Config &name)
+        {
+            if (vertices == nullptr && name.isScalar())
+                addName(name.text());
+            return named(name);
+        };
+        for (const Config &edge : tree_.items(tree_.get(roadmap, "edges"), "edges"))
+        {
+            const auto &[a, b] = tree_.pair(edge, "[name, name]");
+            const Vertex from = end(a);
+            edges.push_back({from, end(b)});
+        }
+        if (const Config *conflicts = roadmap.find("conflicts"))
+            for (const Config &others : tree_.items(*conflicts, "conflicts of edges"))
+                if (!YamlDocument::isEmpty(others))
+                    tree_.fail(others,
+                               "this edge has conflicts with others, which are not known here: they would "
+                               "change the problem");
+        warnAboutRules(roadmap, edges);
+        return Graph::fromEdges(vertexNames_.size(), edges, std::move(points));
+    }
+
+    /// Points, or nothing where no vertex has one.
+    std::vector<Point> readVertices(const Config &vertices)
+    {
+        if (!vertices.isMap() && !YamlDocument::isEmpty(vertices))
             tree_.fail(vertices, "expected a map of names to points, 'A: [0, 0]'");
         std::vector<Point> points;
         for (const Config::Entry &entry : vertices.entries())
         {
+            addName(entry.key);
+            if (YamlDocument::isEmpty(entry.value) && points.empty())
+                continue;
             const auto &[x, y] = tree_.pair(entry.value, "[x, y]");
-            names_.emplace(entry.key, static_cast<Vertex>(points.size()));
-            vertexNames_.push_back(entry.key);
-            points.push_back({number(x), number(y), 0});
+            points.push_back({tree_.number(x, "x"), tree_.number(y, "y"), 0});
+            if (points.size() != vertexNames_.size())
+                tree_.fail(entry.value, "this vertex has a point, but those before have none");
         }
-        std::vector<Graph::Edge> edges;
-        for (const Config &edge : tree_.items(tree_.get(roadmap, "edges"), "edges"))
-        {
-            const auto &[a, b] = tree_.pair(edge, "[name, name]");
-            edges.push_back({named(a), named(b)});
-        }
-        if (const Config *undirected = roadmap.find("undirected");
-            undirected != nullptr && undirected->text() == "false")
-            warnings_.push_back("the roadmap is directed; here robots may go both ways along every edge");
-        if (const Config *waits = roadmap.find("allow_wait_actions");
-            waits != nullptr && waits->text() == "false")
-            warnings_.push_back("the roadmap forbids waiting; here robots may wait");
-        const std::size_t count = points.size();
-        return Graph::fromEdges(count, edges, std::move(points));
+        return points;
     }
 
-    double number(const Config &node) const
+    void addName(const std::string &name)
     {
-        const auto value = node.isScalar() ? parseNumber(node.text()) : std::nullopt;
-        if (!value)
-            tree_.fail(node, "expected a number, a coordinate");
-        return *value;
+        if (names_.emplace(name, static_cast<Vertex>(vertexNames_.size())).second)
+            vertexNames_.push_back(name);
+    }
+
+    /// A roadmap may be directed and forbid waiting; neither is known here.
+    void warnAboutRules(const Config &roadmap, const std::vector<Graph::Edge> &edges)
+    {
+        std::vector<std::pair<Vertex, Vertex>> arcs;
+        for (const Graph::Edge &edge : edges)
+            arcs.emplace_back(edge.a, edge.b);
+        std::sort(arcs.begin(), arcs.end());
+        const auto has = [&arcs](Vertex a, Vertex b)
+        { return std::binary_search(arcs.begin(), arcs.end(), std::pair(a, b)); };
+        const Config *undirected = roadmap.find("undirected");
+        const bool isDirected = undirected != nullptr && !tree_.flag(*undirected);
+        if (isDirected && std::any_of(arcs.begin(), arcs.end(),
+                                      [&](const auto &arc) { return !has(arc.second, arc.first); }))
+            warnings_.push_back("the roadmap is directed; here robots may go both ways along every edge");
+        const Config *waits = roadmap.find("allow_wait_actions");
+        const bool mayWait = waits == nullptr || tree_.flag(*waits);
+        bool mayStay = true; // by an edge to itself
+        for (Vertex v = 0; v < vertexNames_.size() && mayStay; ++v)
+            mayStay = has(v, v);
+        if (!mayWait && !mayStay)
+            warnings_.push_back("the roadmap forbids waiting; here robots may wait");
     }
 
     Vertex named(const Config &node) const
@@ -191,7 +238,7 @@ private:
         return v;
     }
 
-    Tree tree_;
+    YamlDocument tree_;
     std::optional<GridMap> map_;
     std::int64_t width_ = 0;
     std::int64_t height_ = 0;
@@ -200,86 +247,28 @@ private:
     std::vector<std::string> warnings_;
 };
 
-std::optional<GridMap> mapOf(const Graph &graph)
+void writeRoadmap(TextWriter &out, const Graph &graph, const LibMrpVertices &vertices)
 {
-    try
-    {
-        return gridMapOf(graph);
-    }
-    catch (const InputError &)
-    {
-        return std::nullopt;
-    }
-}
-
-std::optional<Cells> cellsOf(const Graph &graph)
-{
-    try
-    {
-        return Cells(graph);
-    }
-    catch (const InputError &)
-    {
-        return std::nullopt;
-    }
-}
-
-/// How a roadmap's vertices are called.
-class VertexNames
-{
-public:
-    VertexNames(std::size_t count, std::span<const std::string> names) : count_(count), names_(names)
-    {
-        for (const std::string &name : names)
-            vertices_.emplace(name, static_cast<Vertex>(vertices_.size()));
-    }
-
-    /// kNoVertex where none is called so.
-    [[nodiscard]] Vertex vertex(const std::string &name) const
-    {
-        if (!names_.empty())
-        {
-            const auto found = vertices_.find(name);
-            return found == vertices_.end() ? kNoVertex : found->second;
-        }
-        const auto number = parseInteger(name);
-        const bool isVertex = number && *number >= 0 && static_cast<std::uint64_t>(*number) < count_;
-        return isVertex ? static_cast<Vertex>(*number) : kNoVertex;
-    }
-
-    /// As YAML; a text of JSON is one of YAML.
-    [[nodiscard]] std::string text(Vertex v) const
-    {
-        return names_.empty()
-                   ? std::to_string(v)
-                   : nlohmann::json(names_[v]).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-    }
-
-private:
-    std::size_t count_;
-    std::span<const std::string> names_;
-    std::unordered_map<std::string, Vertex> vertices_;
-};
-
-void writeRoadmap(TextWriter &out, const Graph &graph, const VertexNames &names)
-{
-    if (graph.vertexCount() > 0 && !graph.hasCoordinates())
-        throw InputError("a roadmap needs coordinates, but this graph has none");
     out.line("roadmap:");
     out.line("  undirected: true");
     out.line("  allow_wait_actions: true");
     out.line(graph.vertexCount() > 0 ? "  vertices:" : "  vertices: {}");
     for (Vertex v = 0; v < graph.vertexCount(); ++v)
     {
-        out.add("    ", names.text(v), ": [");
-        out.addShortest(graph.coordinate(v).x);
-        out.add(", ");
-        out.addShortest(graph.coordinate(v).y);
-        out.line(']');
+        out.add("    ", vertices.text(v), ':');
+        if (graph.hasCoordinates())
+        {
+            out.add(" [");
+            out.addShortest(graph.coordinate(v).x);
+            out.add(", ");
+            out.addShortest(graph.coordinate(v).y);
+            out.add(']');
+        }
+        out.line();
     }
     out.line(graph.edgeCount() > 0 ? "  edges:" : "  edges: []");
     for (const Graph::Edge &edge : graph.edges())
-        out.line("    - [", names.text(edge.a), ", ", names.text(edge.b), ']');
+        out.line("    - [", vertices.text(edge.a), ", ", vertices.text(edge.b), ']');
 }
 
 void writeMap(TextWriter &out, const GridMap &map)
@@ -293,28 +282,38 @@ void writeMap(TextWriter &out, const GridMap &map)
                 out.line("    - [", std::uint64_t{x}, ", ", std::uint64_t{y}, ']');
 }
 
+/// The map to write; none for a roadmap.
+std::optional<GridMap> mapFor(const Instance &instance, const LibMrpNames &names, LibMrpForm form)
+{
+    if (form == LibMrpForm::roadmap || (form == LibMrpForm::fitting && !names.vertices.empty()))
+        return std::nullopt;
+    if (names.map != nullptr)
+        return *names.map;
+    return form == LibMrpForm::map ? gridMapOf(*instance.graph) : gridMapIfOne(*instance.graph);
+}
+
 } // namespace
 
 LibMrpInstance parseLibMrpInstance(std::string_view text, const std::string &file)
 {
-    return InstanceReader(text, file).read();
+    return readAs(FormatId::libMrpInstance, text, file, [&] { return InstanceReader(text, file).read(); });
 }
 
-std::string formatLibMrpInstance(const Instance &instance, std::span<const std::string> vertexNames)
+std::string formatLibMrpInstance(const Instance &instance, const LibMrpNames &names, LibMrpForm form)
 {
     TextWriter out;
     const Graph &graph = *instance.graph;
-    const auto map = vertexNames.empty() ? mapOf(graph) : std::nullopt;
-    const VertexNames names(graph.vertexCount(), vertexNames);
+    const auto map = mapFor(instance, names, form);
+    const LibMrpVertices vertices(graph.vertexCount(), names.vertices);
     if (map)
         writeMap(out, *map);
     else
-        writeRoadmap(out, graph, names);
+        writeRoadmap(out, graph, vertices);
     const auto writePlace = [&](const char *key, Vertex v)
     {
         if (!map)
         {
-            out.line("    ", key, ": ", names.text(v));
+            out.line("    ", key, ": ", vertices.text(v));
             return;
         }
         const Point &cell = graph.coordinate(v);
@@ -324,108 +323,9 @@ std::string formatLibMrpInstance(const Instance &instance, std::span<const std::
     out.line(instance.robotCount() > 0 ? "agents:" : "agents: []");
     for (std::size_t robot = 0; robot < instance.robotCount(); ++robot)
     {
-        out.line("  - name: agent", std::uint64_t{robot});
+        out.line("  - name: ", libMrpRobot(robot, names.robots));
         writePlace("start", instance.starts[robot]);
         writePlace("goal", instance.goals[robot]);
-    }
-    return out.take();
-}
-
-SolutionRows parseLibMrpSchedule(std::string_view text, const std::string &file, const Instance &instance,
-                                 std::span<const std::string> vertexNames)
-{
-    const Tree tree(text, file);
-    const VertexNames names(instance.graph->vertexCount(), vertexNames);
-    const Config &schedule = tree.get(tree.root(), "schedule");
-    const auto cells = cellsOf(*instance.graph);
-    const auto vertexOf = [&](const Config &state)
-    {
-        if (const Config *name = state.find("v"))
-        {
-            const Vertex v = name->isScalar() ? names.vertex(name->text()) : kNoVertex;
-            if (v == kNoVertex)
-                tree.fail(*name, name->isScalar() ? "there is no vertex " + inQuotes(name->text())
-                                                  : "expected a vertex's name");
-            return v;
-        }
-        const std::int64_t x = tree.integer(tree.get(state, "x"), "column");
-        const std::int64_t y = tree.integer(tree.get(state, "y"), "row");
-        const Vertex v = cells ? cells->vertexAt(x, y) : kNoVertex;
-        if (v == kNoVertex)
-            tree.fail(state, "the graph has no vertex on the cell " + cellName(x, y));
-        return v;
-    };
-
-    std::vector<std::vector<PathPoint>> paths(instance.robotCount());
-    if (!schedule.isMap() && instance.robotCount() > 0)
-        tree.fail(schedule, "expected a map of robots, 'agent0: …'");
-    for (const Config::Entry &entry : schedule.entries())
-    {
-        const std::string prefix = "agent";
-        const std::int64_t robot =
-            entry.key.starts_with(prefix) ? parseInteger(entry.key.substr(prefix.size())).value_or(-1) : -1;
-        const SourceLocation where{file, entry.where.line, entry.where.column};
-        if (robot < 0 || static_cast<std::uint64_t>(robot) >= paths.size())
-            throw ParseError(where, inQuotes(entry.key) + " is none of the instance's " +
-                                        std::to_string(paths.size()) + " robots, agent0, agent1, …");
-        std::vector<PathPoint> &path = paths[static_cast<std::size_t>(robot)];
-        if (!path.empty())
-            throw ParseError(where, "robot " + std::to_string(robot) + " has a path already");
-        for (const Config &state : tree.items(entry.value, "states"))
-        {
-            const Config &time = tree.get(state, "t");
-            if (tree.integer(time, "time") != static_cast<std::int64_t>(path.size()))
-                tree.fail(time, "expected the time " + std::to_string(path.size()) +
-                                    "; times are 0, 1, 2, … in their order");
-            path.push_back({vertexOf(state), static_cast<std::uint32_t>(state.where().line)});
-        }
-    }
-    return rowsOfPaths(file, instance, paths);
-}
-
-std::string formatLibMrpSchedule(const Instance &instance, const Schedule &schedule,
-                                 std::span<const std::string> vertexNames)
-{
-    const auto map = vertexNames.empty() ? mapOf(*instance.graph) : std::nullopt;
-    const VertexNames names(instance.graph->vertexCount(), vertexNames);
-    std::vector<std::vector<std::pair<std::size_t, Vertex>>> moves(instance.robotCount()); // (time, vertex)
-    std::uint64_t cost = 0;
-    for (std::size_t step = 0; step < schedule.makespan(); ++step)
-        for (const Move &move : schedule.step(step))
-            moves[move.robot].emplace_back(step + 1, move.to);
-    for (const auto &path : moves)
-        cost += path.empty() ? 0 : path.back().first;
-
-    TextWriter out;
-    out.line("statistics:");
-    out.line("  cost: ", cost);
-    out.line("  makespan: ", std::uint64_t{schedule.makespan()});
-    out.line(instance.robotCount() > 0 ? "schedule:" : "schedule: {}");
-    const auto writeState = [&](std::size_t time, Vertex v)
-    {
-        if (map)
-        {
-            const Point &cell = instance.graph->coordinate(v);
-            out.line("    - x: ", static_cast<std::uint64_t>(cell.x));
-            out.line("      y: ", static_cast<std::uint64_t>(cell.y));
-        }
-        else
-            out.line("    - v: ", names.text(v));
-        out.line("      t: ", std::uint64_t{time});
-    };
-    for (std::size_t robot = 0; robot < instance.robotCount(); ++robot)
-    {
-        out.line("  agent", std::uint64_t{robot}, ':');
-        Vertex at = instance.starts[robot];
-        std::size_t time = 0;
-        writeState(time, at);
-        for (const auto &[arrival, vertex] : moves[robot])
-        {
-            while (++time < arrival)
-                writeState(time, at);
-            at = vertex;
-            writeState(time, at);
-        }
     }
     return out.take();
 }

@@ -3,7 +3,8 @@
 #include "framework/support/Config.h"
 #include "framework/support/File.h"
 #include "framework/support/Suggestion.h"
-#include "problems/formats/TextReader.h"
+#include "problems/formats/FormatId.h"
+#include "problems/formats/support/TextReader.h"
 
 #include <algorithm>
 #include <cmath>
@@ -32,7 +33,6 @@ struct Header
 Header readHeader(TextReader &reader)
 {
     Header header;
-    bool hasType = false;
     while (const auto line = reader.next())
     {
         LineCursor cursor(*line);
@@ -44,10 +44,9 @@ Header readHeader(TextReader &reader)
         const std::string_view value = cursor.until("");
         if (word == "map" && value.empty())
         {
-            const char *missing = !hasType             ? "type octile"
-                                  : header.height == 0 ? "height <rows>"
-                                  : header.width == 0  ? "width <columns>"
-                                                       : nullptr;
+            const char *missing = header.height == 0  ? "height <rows>"
+                                  : header.width == 0 ? "width <columns>"
+                                                      : nullptr;
             if (missing != nullptr)
                 reader.fail(wordColumn,
                             std::string("the header lacks a line '") + missing + "' before 'map'");
@@ -56,8 +55,6 @@ Header readHeader(TextReader &reader)
         if (value.empty())
             reader.fail(wordColumn, inQuotes(word) + " is no line of a map's header; expected 'type octile', "
                                                      "'height <rows>', 'width <columns>', then 'map'");
-        if (word == "type")
-            hasType = true;
         if (word != "height" && word != "width")
             continue;
         std::size_t &slot = word == "height" ? header.height : header.width;
@@ -75,6 +72,17 @@ Header readHeader(TextReader &reader)
         "'map' and the rows");
 }
 
+/// "; passability lorr knows it".
+std::string othersKnowing(char symbol)
+{
+    std::string names;
+    for (const Passability &rule : passabilities())
+        if (rule.passable.find(symbol) != std::string_view::npos ||
+            rule.blocked.find(symbol) != std::string_view::npos)
+            names += (names.empty() ? "" : ", ") + std::string(rule.name);
+    return names.empty() ? names : "; known under the passability " + names;
+}
+
 void readRow(const TextReader &reader, std::string_view row, std::size_t width, const Passability &rule)
 {
     for (std::size_t x = 0; x < std::min(row.size(), width); ++x)
@@ -82,7 +90,7 @@ void readRow(const TextReader &reader, std::string_view row, std::size_t width, 
             rule.blocked.find(row[x]) == std::string_view::npos)
             reader.fail(x + 1, "unknown symbol " + inQuotes(row.substr(x, 1)) +
                                    "; known: " + std::string(rule.passable) + " (passable) and " +
-                                   std::string(rule.blocked) + " (obstacle)");
+                                   std::string(rule.blocked) + " (obstacle)" + othersKnowing(row[x]));
     if (row.size() != width)
         reader.fail(std::min(row.size(), width) + 1, "the row has " + std::to_string(row.size()) +
                                                          " cells, but the header says width " +
@@ -94,6 +102,14 @@ void readRow(const TextReader &reader, std::string_view row, std::size_t width, 
 std::span<const Passability> passabilities()
 {
     return kPassabilities;
+}
+
+std::string passabilityNames()
+{
+    std::string names;
+    for (const Passability &rule : passabilities())
+        names += (names.empty() ? "" : ",") + std::string(rule.name);
+    return names;
 }
 
 const Passability &passability(std::string_view name)
@@ -113,7 +129,10 @@ GridMap readMovingAiMap(const std::filesystem::path &file, const Passability &ru
     return parseMovingAiMap(readFile(file), file.string(), rule);
 }
 
-GridMap parseMovingAiMap(std::string_view text, const std::string &file, const Passability &rule)
+namespace
+{
+
+GridMap readMap(std::string_view text, const std::string &file, const Passability &rule)
 {
     TextReader reader(text, file);
     const Header header = readHeader(reader);
@@ -133,6 +152,13 @@ GridMap parseMovingAiMap(std::string_view text, const std::string &file, const P
             reader.fail(1, "there is something behind the last row; the header says height " +
                                std::to_string(header.height));
     return makeGridMap(header.width, header.height, std::move(cells), rule);
+}
+
+} // namespace
+
+GridMap parseMovingAiMap(std::string_view text, const std::string &file, const Passability &rule)
+{
+    return readAs(FormatId::movingAiMap, text, file, [&] { return readMap(text, file, rule); });
 }
 
 GridMap makeGridMap(std::size_t width, std::size_t height, std::string cells, const Passability &rule,
@@ -202,6 +228,18 @@ GridMap gridMapOf(const Graph &graph)
             refuse("its edges must join exactly the cells that share a side");
     }
     return map;
+}
+
+std::optional<GridMap> gridMapIfOne(const Graph &graph)
+{
+    try
+    {
+        return gridMapOf(graph);
+    }
+    catch (const InputError &)
+    {
+        return std::nullopt;
+    }
 }
 
 std::string formatMovingAiMap(const GridMap &map)

@@ -19,6 +19,7 @@
 #include "framework/model/Graph.h"
 
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -40,6 +41,9 @@ struct Passability
 /// `strict_dot`: nothing but the dot.
 /// `all_but_at_t`: everything but @ and T.
 [[nodiscard]] std::span<const Passability> passabilities();
+
+/// Their names, separated by commas: the range of a parameter.
+[[nodiscard]] std::string passabilityNames();
 
 /// Throws InputError for an unknown name, with the nearest known one.
 [[nodiscard]] const Passability &passability(std::string_view name = "movingai");
@@ -88,6 +92,9 @@ struct GridMap
 /// neighbouring cells; the vertices keep their numbers only where they are numbered row by row. Throws
 /// InputError for any other graph. O(cells).
 [[nodiscard]] GridMap gridMapOf(const Graph &graph);
+
+/// The same; nothing for any other graph.
+[[nodiscard]] std::optional<GridMap> gridMapIfOne(const Graph &graph);
 
 [[nodiscard]] std::string formatMovingAiMap(const GridMap &map);
 

@@ -2,7 +2,8 @@
 
 #include "framework/support/Config.h"
 #include "framework/support/File.h"
-#include "problems/formats/TextReader.h"
+#include "problems/formats/FormatId.h"
+#include "problems/formats/support/TextReader.h"
 
 #include <array>
 #include <cmath>
@@ -101,6 +102,13 @@ void readRecord(const TextReader &reader, std::string_view line, Scenario &scena
                                 "scenario has one map",
                                 width, height, scenario.width, scenario.height));
     }
+    else if (const std::string_view first = scenario.records.front().map;
+             fileNameIn(first) != fileNameIn(fields[1].text))
+    {
+        reader.fail(fields[1].column, "this record stands on the map " +
+                                          inQuotes(fileNameIn(fields[1].text)) + ", the first record on " +
+                                          inQuotes(fileNameIn(first)) + "; a scenario has one map");
+    }
     Scenario::Record record;
     record.map = fields[1].text;
     record.start = cell(reader, scenario, fields[4], fields[5], "start");
@@ -131,8 +139,7 @@ std::string Scenario::mapName() const
 {
     if (records.empty())
         return {};
-    const std::string &map = records.front().map;
-    return map.substr(map.find_last_of("/\\") + 1);
+    return std::string(fileNameIn(records.front().map));
 }
 
 Scenario readMovingAiScenario(const std::filesystem::path &file)
@@ -140,7 +147,10 @@ Scenario readMovingAiScenario(const std::filesystem::path &file)
     return parseMovingAiScenario(readFile(file), file.string());
 }
 
-Scenario parseMovingAiScenario(std::string_view text, const std::string &file)
+namespace
+{
+
+Scenario readScenario(std::string_view text, const std::string &file)
 {
     TextReader reader(text, file);
     Scenario scenario;
@@ -158,6 +168,13 @@ Scenario parseMovingAiScenario(std::string_view text, const std::string &file)
         reader.fail(
             1, 1, "the file is empty; expected 'version 1' and one record a line" + std::string(kRecordHelp));
     return scenario;
+}
+
+} // namespace
+
+Scenario parseMovingAiScenario(std::string_view text, const std::string &file)
+{
+    return readAs(FormatId::scenario, text, file, [&] { return readScenario(text, file); });
 }
 
 Instance scenarioInstance(const Scenario &scenario, const GridMap &map, std::size_t robots)

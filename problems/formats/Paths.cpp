@@ -1,8 +1,9 @@
 #include "problems/formats/Paths.h"
 
-#include "problems/formats/Cells.h"
-#include "problems/formats/TextReader.h"
-#include "problems/formats/TextWriter.h"
+#include "problems/formats/FormatId.h"
+#include "problems/formats/support/Cells.h"
+#include "problems/formats/support/TextReader.h"
+#include "problems/formats/support/TextWriter.h"
 
 namespace mrpp
 {
@@ -12,10 +13,15 @@ namespace
 constexpr std::string_view kForm = "Agent 0: (5,16)->(5,17)->";
 }
 
-SolutionRows parsePaths(std::string_view text, const std::string &file, const Instance &instance)
+namespace
 {
-    const Cells cells(*instance.graph);
+
+SolutionRows readPaths(std::string_view text, const std::string &file, const Instance &instance)
+{
     TextReader reader(text, file);
+    if (const auto begin = trimmed(withoutByteOrderMark(text)); !begin.empty() && !begin.starts_with("Agent"))
+        reader.fail(1, 1, "expected 'Agent' here, as in '" + std::string(kForm) + "'");
+    const Cells cells(*instance.graph);
     std::vector<std::vector<PathPoint>> paths;
     while (const auto line = reader.next())
     {
@@ -47,6 +53,13 @@ SolutionRows parsePaths(std::string_view text, const std::string &file, const In
         expectEnd(reader, cursor, kForm);
     }
     return rowsOfPaths(file, instance, paths);
+}
+
+} // namespace
+
+SolutionRows parsePaths(std::string_view text, const std::string &file, const Instance &instance)
+{
+    return readAs(FormatId::paths, text, file, [&] { return readPaths(text, file, instance); });
 }
 
 std::string formatPaths(const Instance &instance, const Schedule &schedule)

@@ -1,7 +1,7 @@
 #include "problems/formats/PlanViz.h"
 
-#include "problems/formats/Directions.h"
-#include "problems/formats/TextWriter.h"
+#include "problems/formats/support/Directions.h"
+#include "problems/formats/support/TextWriter.h"
 
 #include <cctype>
 
@@ -26,7 +26,7 @@ void writeList(TextWriter &out, const char *key, std::size_t robots, Write &&wri
 
 } // namespace
 
-std::string formatPlanViz(const Instance &instance, const Schedule &schedule)
+std::string formatPlanViz(const Instance &instance, const Schedule &schedule, PlanVizVersion version)
 {
     const Cells cells(*instance.graph);
     const std::size_t robots = instance.robotCount();
@@ -42,6 +42,12 @@ std::string formatPlanViz(const Instance &instance, const Schedule &schedule)
         costs += paths[robot].size();
     }
 
+    const auto actionOf = [version](char letter)
+    {
+        if (version == PlanVizVersion::current && (letter == 'u' || letter == 'd'))
+            return letter == 'u' ? 'D' : 'U';
+        return static_cast<char>(std::toupper(static_cast<unsigned char>(letter)));
+    };
     TextWriter out;
     const auto writePath = [&](std::size_t robot)
     {
@@ -49,8 +55,7 @@ std::string formatPlanViz(const Instance &instance, const Schedule &schedule)
         for (std::size_t step = 0; step < schedule.makespan(); ++step)
         {
             const char letter = step < paths[robot].size() ? paths[robot][step] : 'w';
-            out.add(std::string_view(step == 0 ? "" : ","),
-                    static_cast<char>(std::toupper(static_cast<unsigned char>(letter))));
+            out.add(std::string_view(step == 0 ? "" : ","), actionOf(letter));
         }
         out.add('"');
     };

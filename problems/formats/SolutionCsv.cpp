@@ -2,10 +2,12 @@
 
 #include "framework/support/Config.h"
 #include "framework/support/File.h"
-#include "problems/formats/TextReader.h"
+#include "problems/formats/FormatId.h"
+#include "problems/formats/support/TextReader.h"
 
 #include <array>
 #include <charconv>
+#include <string>
 
 namespace mrpp
 {
@@ -18,7 +20,9 @@ constexpr std::string_view kHeading = "step,robot,from,to";
 void readHeading(TextReader &reader)
 {
     const auto line = reader.next();
-    LineCursor cursor(line.value_or(""));
+    std::string heading(line.value_or("")); // R writes names in quotation marks
+    std::erase(heading, '"');
+    LineCursor cursor(heading);
     for (const char *name : {"step", ",", "robot", ",", "from", ",", "to"})
         if (!cursor.take(name))
             reader.fail(1, cursor.column(), "expected the heading '" + std::string(kHeading) + "'");
@@ -38,7 +42,9 @@ TimedMove readRow(const TextReader &reader, std::string_view line)
             reader.fail(cursor.column(), "the row has " + std::to_string(i) + (i == 1 ? " cell" : " cells") +
                                              "; expected four, " + std::string(kHeading));
         const std::size_t column = cursor.column();
-        const std::string_view text = cursor.until(",");
+        std::string_view text = cursor.until(",");
+        if (text.size() > 1 && text.front() == '"' && text.back() == '"')
+            text = text.substr(1, text.size() - 2);
         const auto value = parseInteger(text);
         if (!value)
             reader.fail(column, inQuotes(text) + " is no " + names[i] + "; expected a whole number");
@@ -88,7 +94,10 @@ SolutionRows readSolutionCsv(const std::filesystem::path &file)
     return parseSolutionCsv(readFile(file), file.string());
 }
 
-SolutionRows parseSolutionCsv(std::string_view text, const std::string &file)
+namespace
+{
+
+SolutionRows readRows(std::string_view text, const std::string &file)
 {
     TextReader reader(text, file);
     SolutionRows rows;
@@ -107,6 +116,13 @@ SolutionRows parseSolutionCsv(std::string_view text, const std::string &file)
         rows.moves.push_back(readRow(reader, *line));
     }
     return rows;
+}
+
+} // namespace
+
+SolutionRows parseSolutionCsv(std::string_view text, const std::string &file)
+{
+    return readAs(FormatId::solutionCsv, text, file, [&] { return readRows(text, file); });
 }
 
 std::string formatSolutionCsv(const Solution &solution)

@@ -2,17 +2,22 @@
 
 #include "framework/support/Error.h"
 
+#include <algorithm>
+
 namespace mrpp
 {
 
-SolutionRows rowsOfPaths(const std::string &file, const Instance &instance,
-                         const std::vector<std::vector<PathPoint>> &paths)
+namespace
+{
+
+/// Throws unless there is a path for each robot, and it begins at the robot's start.
+template <class Path>
+void checkPaths(const std::string &file, const Instance &instance, const std::vector<Path> &paths)
 {
     if (paths.size() != instance.robotCount())
         throw ParseError({file}, "there are paths of " + std::to_string(paths.size()) +
                                      " robots, but the instance has " +
                                      std::to_string(instance.robotCount()));
-    std::vector<std::size_t> moving; // robots whose path goes on
     for (std::size_t robot = 0; robot < paths.size(); ++robot)
     {
         if (paths[robot].empty())
@@ -23,8 +28,51 @@ SolutionRows rowsOfPaths(const std::string &file, const Instance &instance,
                                  std::to_string(paths[robot].front().vertex) +
                                  ", but in the instance it starts on vertex " +
                                  std::to_string(instance.starts[robot]));
-        moving.push_back(robot);
     }
+}
+
+} // namespace
+
+SolutionRows rowsOfStays(const std::string &file, const Instance &instance,
+                         const std::vector<std::vector<Stay>> &paths)
+{
+    checkPaths(file, instance, paths);
+    struct Arrival
+    {
+        std::int64_t time;
+        TimedMove move;
+        std::uint32_t line;
+    };
+    std::vector<Arrival> arrivals;
+    for (std::size_t robot = 0; robot < paths.size(); ++robot)
+        for (std::size_t i = 1; i < paths[robot].size(); ++i)
+            if (const Stay &from = paths[robot][i - 1], &to = paths[robot][i]; from.vertex != to.vertex)
+                arrivals.push_back(
+                    {to.time, {0, static_cast<std::int64_t>(robot), from.vertex, to.vertex}, to.line});
+    std::stable_sort(arrivals.begin(), arrivals.end(),
+                     [](const Arrival &a, const Arrival &b) { return a.time < b.time; });
+    SolutionRows rows;
+    rows.file = file;
+    std::int64_t step = -1;
+    std::int64_t last = 0; // all arrivals are later
+    for (Arrival &arrival : arrivals)
+    {
+        step += arrival.time != last ? 1 : 0;
+        last = arrival.time;
+        arrival.move.step = step;
+        rows.moves.push_back(arrival.move);
+        rows.lines.push_back(arrival.line);
+    }
+    return rows;
+}
+
+SolutionRows rowsOfPaths(const std::string &file, const Instance &instance,
+                         const std::vector<std::vector<PathPoint>> &paths)
+{
+    checkPaths(file, instance, paths);
+    std::vector<std::size_t> moving; // robots whose path goes on
+    for (std::size_t robot = 0; robot < paths.size(); ++robot)
+        moving.push_back(robot);
 
     SolutionRows rows;
     rows.file = file;

@@ -38,6 +38,19 @@ struct PathPoint
 [[nodiscard]] SolutionRows rowsOfPaths(const std::string &file, const Instance &instance,
                                        const std::vector<std::vector<PathPoint>> &paths);
 
+/// Where a robot is said to stand from a time on, after a move to it at that time.
+struct Stay
+{
+    std::int64_t time = 0;
+    Vertex vertex = 0;
+    std::uint32_t line = 0;
+};
+
+/// Rows of paths that say times only where a robot moves (or stays). The first time of each is 0, and they
+/// ascend. Times at which nobody moves leave no gap. Throws as rowsOfPaths() does. O(stays · log stays).
+[[nodiscard]] SolutionRows rowsOfStays(const std::string &file, const Instance &instance,
+                                       const std::vector<std::vector<Stay>> &paths);
+
 /// The rows as steps, whatever rules they break; a gap between steps is none. \pre robots and vertices fit
 /// into 32 bits. O(rows)
 [[nodiscard]] Schedule stepsOf(const SolutionRows &rows);

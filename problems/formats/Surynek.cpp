@@ -1,8 +1,9 @@
 #include "problems/formats/Surynek.h"
 
 #include "framework/support/Config.h"
-#include "problems/formats/TextReader.h"
-#include "problems/formats/TextWriter.h"
+#include "problems/formats/FormatId.h"
+#include "problems/formats/support/TextReader.h"
+#include "problems/formats/support/TextWriter.h"
 
 namespace mrpp
 {
@@ -34,8 +35,9 @@ public:
         readEdges();
         CpfProblem problem{{Graph::fromEdges(vertexCount_, edges_), {}, {}}, {}};
         if (problem.instance.graph->edgeCount() < edges_.size())
-            problem.warnings.push_back(std::to_string(edges_.size() - problem.instance.graph->edgeCount()) +
-                                       " loops or repeated edges are left out");
+            problem.warnings.push_back(counted(edges_.size() - problem.instance.graph->edgeCount(),
+                                               "loop or repeated edge is", "loops or repeated edges are") +
+                                       " left out");
         if (starts_.size() != goals_.size())
             starts_.resize(std::max(starts_.size(), goals_.size()));
         goals_.resize(starts_.size());
@@ -253,7 +255,7 @@ private:
 
 CpfProblem parseCpf(std::string_view text, const std::string &file)
 {
-    return CpfReader(text, file).read();
+    return readAs(FormatId::cpf, text, file, [&] { return CpfReader(text, file).read(); });
 }
 
 std::string formatCpf(const Instance &instance)
@@ -276,7 +278,10 @@ std::string formatCpf(const Instance &instance)
     return out.take();
 }
 
-SolutionRows parseSurynekSolution(std::string_view text, const std::string &file)
+namespace
+{
+
+SolutionRows readMoves(std::string_view text, const std::string &file)
 {
     TextReader reader(text, file);
     SolutionRows rows;
@@ -335,6 +340,13 @@ SolutionRows parseSurynekSolution(std::string_view text, const std::string &file
                     "the length is " + std::to_string(length) + ", but " + std::to_string(rows.moves.size()) +
                         " moves follow");
     return rows;
+}
+
+} // namespace
+
+SolutionRows parseSurynekSolution(std::string_view text, const std::string &file)
+{
+    return readAs(FormatId::surynekSolution, text, file, [&] { return readMoves(text, file); });
 }
 
 std::string formatSurynekSolution(const Schedule &schedule)

@@ -1,9 +1,11 @@
 #include "problems/formats/Tracker.h"
 
 #include "framework/support/Config.h"
-#include "problems/formats/Directions.h"
-#include "problems/formats/TextReader.h"
-#include "problems/formats/TextWriter.h"
+#include "problems/formats/FormatId.h"
+#include "problems/formats/support/CsvReader.h"
+#include "problems/formats/support/Directions.h"
+#include "problems/formats/support/TextReader.h"
+#include "problems/formats/support/TextWriter.h"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -22,95 +24,28 @@ struct Letters
     std::size_t column = 0;
 };
 
+/// A plan as the file says it. What is not said is empty.
 struct Plan
 {
-    std::string text; ///< of all robots; what the letters lie in
-    std::vector<Letters> robots;
+    std::string text; ///< of all robots, one a line
+    SourceLocation textWhere;
+    bool hasRobots = true; ///< a list may be empty, a text may not
     std::optional<bool> flipped;
-};
+    std::string map;
+    std::string type;
+    std::string number;
+    std::string robotCount;
+    SourceLocation where;
 
-/// Rows and cells of quoted CSV, cell by cell.
-class CsvReader
-{
-public:
-    CsvReader(std::string_view text, std::string file)
-        : rest_(withoutByteOrderMark(text)), file_(std::move(file))
-    {}
-
-    struct Cell
+    /// "the plan for empty-8-8, even, 1".
+    [[nodiscard]] std::string name() const
     {
-        std::string text;
-        SourceLocation where; ///< of its first character
-        bool endsRow = false;
-    };
-
-    /// The next row; nothing at the end of the text. Blank lines are skipped.
-    std::vector<Cell> row()
-    {
-        constexpr std::size_t mostCells = 1000;
-        std::vector<Cell> cells;
-        while (!rest_.empty() && (rest_.front() == '\n' || rest_.front() == '\r'))
-            take();
-        while (!rest_.empty() && (cells.empty() || !cells.back().endsRow))
-        {
-            if (cells.size() == mostCells)
-                throw ParseError({file_, line_, column_},
-                                 "the row has more than " + std::to_string(mostCells) + " cells");
-            cells.push_back(cell());
-        }
-        return cells;
+        std::string all;
+        for (const std::string *part : {&map, &type, &number})
+            if (!part->empty())
+                all += (all.empty() ? "" : ", ") + *part;
+        return all.empty() ? "a plan" : "the plan for " + inQuotes(all);
     }
-
-private:
-    char take()
-    {
-        const char c = rest_.front();
-        rest_.remove_prefix(1);
-        line_ += c == '\n' ? 1 : 0;
-        column_ = c == '\n' ? 1 : column_ + 1;
-        return c;
-    }
-
-    Cell cell()
-    {
-        Cell cell;
-        const bool quoted = rest_.front() == '"';
-        const SourceLocation quote{file_, line_, column_};
-        if (quoted)
-            take();
-        cell.where = {file_, line_, column_};
-        while (quoted)
-        {
-            if (rest_.empty())
-                throw ParseError(quote, "this quotation mark is never closed");
-            const char c = take();
-            if (c == '"' && (rest_.empty() || rest_.front() != '"'))
-                break;
-            if (c == '"')
-                take();
-            cell.text += c;
-        }
-        while (!rest_.empty())
-        {
-            const SourceLocation where{file_, line_, column_};
-            const char c = take();
-            if (c == ',')
-                return cell;
-            if (c == '\n')
-                break;
-            if (quoted && c != '\r')
-                throw ParseError(where, "expected a comma or the line's end behind the quotation mark");
-            if (c != '\r')
-                cell.text += c;
-        }
-        cell.endsRow = true;
-        return cell;
-    }
-
-    std::string_view rest_;
-    std::string file_;
-    std::size_t line_ = 1;
-    std::size_t column_ = 1;
 };
 
 std::optional<bool> truth(std::string text)
@@ -123,8 +58,12 @@ std::optional<bool> truth(std::string text)
 }
 
 /// One robot a line of the plan's text.
-void splitLines(Plan &plan, const SourceLocation &where)
+std::vector<Letters> lettersOf(const Plan &plan)
 {
+    std::vector<Letters> robots;
+    if (!plan.hasRobots)
+        return robots;
+    const SourceLocation &where = plan.textWhere;
     std::string_view rest = plan.text;
     for (std::size_t index = 0;; ++index)
     {
@@ -132,50 +71,95 @@ void splitLines(Plan &plan, const SourceLocation &where)
         std::string_view line = rest.substr(0, end);
         if (!line.empty() && line.back() == '\r')
             line.remove_suffix(1);
-        plan.robots.push_back(
-            {line, where.line == 0 ? 0 : where.line + index, index == 0 ? where.column : 1});
+        robots.push_back({line, where.line == 0 ? 0 : where.line + index, index == 0 ? where.column : 1});
         if (end == std::string_view::npos)
-            return;
+            return robots;
         rest.remove_prefix(end + 1);
     }
 }
 
-/// Which of a file's plans is meant: the only one, else the one for as many robots as the instance has.
-class Choice
+bool isNumber(const std::string &text, std::size_t number)
+{
+    const auto value = parseInteger(text);
+    return value && *value >= 0 && static_cast<std::uint64_t>(*value) == number;
+}
+
+/// The plans that may be the instance's: of its map and scenario, and of its number of robots where there is
+/// one such. All others are dropped as they come.
+class Candidates
 {
 public:
-    explicit Choice(std::size_t robots) : robots_(robots) {}
+    Candidates(std::string file, const TrackerContext &context, std::size_t robots)
+        : file_(std::move(file)), context_(context), robots_(robots)
+    {}
 
-    /// Whether the next plan may be it. Throws ParseError where there are two.
-    /// \param robots as the file says it; anything else than a number of robots is no reason
-    bool take(std::string_view robots, const SourceLocation &where)
+    [[nodiscard]] const std::string &file() const { return file_; }
+
+    void add(Plan plan)
     {
-        const auto number = parseInteger(robots);
-        const bool fits = number && *number >= 0 && static_cast<std::uint64_t>(*number) == robots_;
-        if (fits && fitting_)
-            throw ParseError(where, "a second plan of " + std::to_string(robots_) +
-                                        " robots; a file may hold one for each number of robots");
-        const bool isFirst = plans_++ == 0;
-        fitting_ = fitting_ || fits;
-        return isFirst || fits;
+        if (++count_ == 1)
+        {
+            firstName_ = plan.name();
+            firstWhere_ = plan.where;
+        }
+        if (!context_.map.empty() && !plan.map.empty() && plan.map != context_.map)
+            return;
+        ++onMap_;
+        const bool isOtherType = !context_.type.empty() && !plan.type.empty() && plan.type != context_.type;
+        const bool isOtherNumber = context_.number > 0 && !plan.number.empty() &&
+                                   !isNumber(plan.number, static_cast<std::size_t>(context_.number));
+        if (isOtherType || isOtherNumber)
+            return;
+        ++inScenario_;
+        if (isNumber(plan.robotCount, robots_))
+            fitting_.push_back(std::move(plan));
+        else if (count_ == 1)
+            only_ = std::move(plan);
     }
 
-    /// Throws ParseError where none was meant.
-    void check(const std::string &file) const
+    /// Throws ParseError where there is none, or there are too many to try.
+    std::vector<Plan> take()
     {
-        if (plans_ > 1 && !fitting_)
-            throw ParseError({file}, "there are " + std::to_string(plans_) + " plans, but none of " +
-                                         std::to_string(robots_) + " robots, the instance's number");
+        if (count_ == 0)
+            throw ParseError({file_}, "there is no plan behind the heading, or in the list");
+        if (onMap_ == 0)
+            throw ParseError(firstWhere_, "this is " + firstName_ + ", but the instance stands on the map " +
+                                              inQuotes(context_.map));
+        if (inScenario_ == 0)
+            throw ParseError(firstWhere_,
+                             "this is " + firstName_ + ", but the instance is the scenario " +
+                                 inQuotes(context_.type + " " + std::to_string(context_.number)));
+        if (count_ == 1 && only_)
+            fitting_.push_back(std::move(*only_));
+        if (fitting_.empty())
+            throw ParseError({file_}, "there are " + std::to_string(count_) + " plans, but none of " +
+                                          counted(robots_, "robot", "robots") + ", the instance's number");
+        constexpr std::size_t most = 50;
+        if (fitting_.size() > most)
+            throw ParseError(fitting_[most].where,
+                             "more than " + std::to_string(most) + " plans of " +
+                                 counted(robots_, "robot", "robots") +
+                                 " may be meant; give the instance the name of its scenario, as in "
+                                 "empty-8-8-even-1.scen");
+        return std::move(fitting_);
     }
 
 private:
+    std::string file_;
+    const TrackerContext &context_;
     std::size_t robots_;
-    std::size_t plans_ = 0;
-    bool fitting_ = false;
+    std::size_t count_ = 0;
+    std::size_t onMap_ = 0;
+    std::size_t inScenario_ = 0;
+    std::string firstName_;
+    SourceLocation firstWhere_;
+    std::optional<Plan> only_;
+    std::vector<Plan> fitting_;
 };
 
-void readCsv(Plan &plan, std::string_view text, const std::string &file, Choice choice)
+void readCsv(std::string_view text, Candidates &plans)
 {
+    const std::string &file = plans.file();
     CsvReader reader(text, file);
     const auto heading = reader.row();
     const auto columnOf = [&heading](std::string_view name)
@@ -186,34 +170,40 @@ void readCsv(Plan &plan, std::string_view text, const std::string &file, Choice 
                                         heading.begin());
     };
     std::size_t planColumn = columnOf("solution_plan");
-    if (planColumn == heading.size())
-        planColumn = columnOf("path");
+    if (planColumn == heading.size() && columnOf("agents") < heading.size())
+        planColumn = columnOf("path"); // old downloads
     if (planColumn == heading.size())
         throw ParseError({file, 1, 1}, "the heading has no column 'solution_plan'");
-    const std::size_t robotsColumn = columnOf("agents");
     const std::size_t flipColumn = columnOf("flip_up_down");
-    std::vector<CsvReader::Cell> chosen;
+    const std::size_t mapColumn = columnOf("map_name");
+    const std::size_t typeColumn = columnOf("scen_type");
+    const std::size_t numberColumn = columnOf("type_id");
+    const std::size_t robotsColumn = columnOf("agents");
     for (auto row = reader.row(); !row.empty(); row = reader.row())
     {
         if (row.size() != heading.size())
             throw ParseError(row.front().where, "the row has " + std::to_string(row.size()) +
                                                     " cells, but the heading has " +
                                                     std::to_string(heading.size()));
-        if (choice.take(robotsColumn < row.size() ? row[robotsColumn].text : "", row.front().where))
-            chosen = std::move(row);
+        const auto cell = [&row](std::size_t column)
+        { return column < row.size() ? std::string(trimmed(row[column].text)) : std::string(); };
+        Plan plan;
+        plan.map = cell(mapColumn);
+        plan.type = cell(typeColumn);
+        plan.number = cell(numberColumn);
+        plan.robotCount = cell(robotsColumn);
+        plan.where = row.front().where;
+        if (flipColumn < row.size() && !row[flipColumn].text.empty())
+        {
+            plan.flipped = truth(row[flipColumn].text);
+            if (!plan.flipped)
+                throw ParseError(row[flipColumn].where,
+                                 inQuotes(row[flipColumn].text) + " is neither TRUE nor FALSE");
+        }
+        plan.text = std::move(row[planColumn].text);
+        plan.textWhere = row[planColumn].where;
+        plans.add(std::move(plan));
     }
-    choice.check(file);
-    if (chosen.empty())
-        throw ParseError({file}, "there is no plan behind the heading");
-    if (flipColumn < chosen.size() && !chosen[flipColumn].text.empty())
-    {
-        plan.flipped = truth(chosen[flipColumn].text);
-        if (!plan.flipped)
-            throw ParseError(chosen[flipColumn].where,
-                             inQuotes(chosen[flipColumn].text) + " is neither TRUE nor FALSE");
-    }
-    plan.text = chosen[planColumn].text;
-    splitLines(plan, chosen[planColumn].where);
 }
 
 SourceLocation placeOf(std::string_view text, std::size_t offset, const std::string &file)
@@ -224,17 +214,59 @@ SourceLocation placeOf(std::string_view text, std::size_t offset, const std::str
             before.size() - lineStart + 1};
 }
 
-/// A number of robots, as a number or a text.
-std::string robotsOf(const nlohmann::json &object)
+/// A number or a text; empty where there is neither.
+std::string textOf(const nlohmann::json &object, const char *key)
 {
-    const auto found = object.is_object() ? object.find("agents") : object.end();
-    if (!object.is_object() || found == object.end())
+    const auto found = object.find(key);
+    if (found == object.end() || found->is_null())
         return {};
     return found->is_string() ? found->get<std::string>() : found->dump();
 }
 
-void readJson(Plan &plan, std::string_view text, const std::string &file, Choice choice)
+Plan planOf(const nlohmann::json &object, const std::string &file)
 {
+    const auto refuse = [&file](const std::string &what) { throw ParseError({file}, what); };
+    if (!object.is_object() || !object.contains("solution_plan"))
+        refuse("this JSON is no plan; expected one object with the key 'solution_plan', or a list of such");
+    Plan plan;
+    plan.map = textOf(object, "map_name");
+    plan.type = textOf(object, "scen_type");
+    plan.number = textOf(object, "type_id");
+    plan.robotCount = textOf(object, "agents");
+    plan.where = {file};
+    if (object.contains("flip_up_down"))
+    {
+        const auto &flip = object["flip_up_down"];
+        plan.flipped = flip.is_boolean()  ? std::optional(flip.get<bool>())
+                       : flip.is_string() ? truth(flip.get<std::string>())
+                                          : std::nullopt;
+        if (!plan.flipped)
+            refuse("'flip_up_down' must be true or false");
+    }
+    const auto &robots = object["solution_plan"];
+    if (robots.is_string())
+    {
+        plan.text = robots.get<std::string>();
+        return plan;
+    }
+    if (!robots.is_array())
+        refuse("'solution_plan' must be a text or a list of texts");
+    for (const auto &robot : robots)
+    {
+        if (!robot.is_string())
+            refuse("'solution_plan' must be a list of texts");
+        const std::string &letters = robot.get_ref<const std::string &>();
+        if (letters.find('\n') != std::string::npos)
+            refuse("a text of 'solution_plan' has two lines; expected one robot a text");
+        plan.text += (&robot == &robots.front() ? "" : "\n") + letters;
+    }
+    plan.hasRobots = !robots.empty();
+    return plan;
+}
+
+void readJson(std::string_view text, Candidates &plans)
+{
+    const std::string &file = plans.file();
     text = withoutByteOrderMark(text);
     nlohmann::json root;
     try
@@ -250,63 +282,24 @@ void readJson(Plan &plan, std::string_view text, const std::string &file, Choice
     {
         throw ParseError({file}, "this is no JSON: it holds a number that is too large");
     }
-    if (root.is_array())
-    {
-        nlohmann::json chosen;
-        for (nlohmann::json &object : root)
-            if (choice.take(robotsOf(object), {file}))
-                chosen = std::move(object);
-        choice.check(file);
-        root = std::move(chosen);
-    }
-    const auto refuse = [&file](const std::string &what) { throw ParseError({file}, what); };
-    if (!root.is_object() || !root.contains("solution_plan"))
-        refuse("expected one JSON object with the key 'solution_plan'");
-    if (root.contains("flip_up_down"))
-    {
-        const auto &flip = root["flip_up_down"];
-        plan.flipped = flip.is_boolean()  ? std::optional(flip.get<bool>())
-                       : flip.is_string() ? truth(flip.get<std::string>())
-                                          : std::nullopt;
-        if (!plan.flipped)
-            refuse("'flip_up_down' must be true or false");
-    }
-    const auto &robots = root["solution_plan"];
-    if (robots.is_string())
-    {
-        plan.text = robots.get<std::string>();
-        return splitLines(plan, {});
-    }
-    if (!robots.is_array())
-        refuse("'solution_plan' must be a text or a list of texts");
-    for (const auto &robot : robots)
-    {
-        if (!robot.is_string())
-            refuse("'solution_plan' must be a list of texts");
-        const std::string &letters = robot.get_ref<const std::string &>();
-        if (letters.find('\n') != std::string::npos)
-            refuse("a text of 'solution_plan' has two lines; expected one robot a text");
-        plan.text += letters + "\n";
-    }
-    for (std::string_view rest = plan.text; !rest.empty();)
-    {
-        const std::size_t end = rest.find('\n');
-        plan.robots.push_back({rest.substr(0, end), 0, 0});
-        rest.remove_prefix(end + 1);
-    }
+    if (!root.is_array())
+        return plans.add(planOf(root, file));
+    for (const nlohmann::json &object : root)
+        plans.add(planOf(object, file));
 }
 
-/// Follows the letters from the starts on.
-SolutionRows follow(const Plan &plan, const std::string &file, const Instance &instance, const Cells &cells,
-                    bool flipped)
+/// Steps of all robots that are followed at most: "999999999w" is ten bytes.
+constexpr std::size_t kMostSteps = 20000000;
+
+/// Follows the letters from the starts on. \param left of kMostSteps
+SolutionRows follow(const std::vector<Letters> &plan, const std::string &file, const Instance &instance,
+                    const Cells &cells, bool flipped, std::size_t &left)
 {
-    constexpr std::size_t mostSteps = 10000000; // of all robots; "999999999w" is ten bytes
-    std::size_t steps = 0;
     std::vector<std::vector<PathPoint>> paths;
-    const std::size_t robots = std::min(plan.robots.size(), instance.robotCount());
+    const std::size_t robots = std::min(plan.size(), instance.robotCount());
     for (std::size_t robot = 0; robot < robots; ++robot)
     {
-        const Letters &letters = plan.robots[robot];
+        const Letters &letters = plan[robot];
         const auto refuse = [&](std::size_t offset, const std::string &what)
         {
             throw ParseError({file, letters.line, letters.line == 0 ? 0 : letters.column + offset},
@@ -322,9 +315,9 @@ SolutionRows follow(const Plan &plan, const std::string &file, const Instance &i
             const std::size_t offset = cursor.column() - 1;
             const std::string_view digits = cursor.digits();
             const auto count = digits.empty() ? std::optional<std::int64_t>(1) : parseInteger(digits);
-            if (!count || *count < 0 || static_cast<std::uint64_t>(*count) > mostSteps ||
-                (steps += static_cast<std::size_t>(*count)) > mostSteps)
+            if (!count || *count < 0 || static_cast<std::uint64_t>(*count) > left)
                 refuse(offset, inQuotes(digits) + " steps are too many");
+            left -= static_cast<std::size_t>(*count);
             int dx = 0;
             int dy = 0;
             if (cursor.take("u"))
@@ -351,7 +344,7 @@ SolutionRows follow(const Plan &plan, const std::string &file, const Instance &i
             }
         }
     }
-    paths.resize(plan.robots.size()); // rowsOfPaths complains where the numbers of robots differ
+    paths.resize(plan.size()); // rowsOfPaths complains where the numbers of robots differ
     return rowsOfPaths(file, instance, paths);
 }
 
@@ -389,29 +382,33 @@ std::optional<TrackerName> trackerName(std::string_view fileName)
     return TrackerName{std::string(fileName.substr(0, first)), std::string(type), static_cast<int>(*number)};
 }
 
-SolutionRows parseTracker(std::string_view text, const std::string &file, TrackerForm form,
-                          const Instance &instance)
+namespace
 {
-    const Cells cells(*instance.graph);
-    Plan plan;
-    if (form == TrackerForm::csv)
-        readCsv(plan, text, file, Choice(instance.robotCount()));
-    else
-        readJson(plan, text, file, Choice(instance.robotCount()));
-    while (plan.robots.size() > instance.robotCount() && plan.robots.back().text.empty())
-        plan.robots.pop_back(); // line ends behind the last robot
-    if (plan.flipped)
-        return follow(plan, file, instance, cells, *plan.flipped);
 
+/// The plan's rows, and whether they solve the instance. Where the file does not say what u and d mean, they
+/// are turned round if the plan is valid in no other way.
+std::pair<SolutionRows, bool> rowsOf(const Plan &plan, const std::string &file, const Instance &instance,
+                                     const Cells &cells, std::size_t &left)
+{
+    std::vector<Letters> letters = lettersOf(plan);
+    while (letters.size() > instance.robotCount() && letters.back().text.empty())
+        letters.pop_back(); // line ends behind the last robot
+    const auto solves = [&](const SolutionRows &rows)
+    { return validate(instance, rows.moves, MotionRule::rotation).valid(); };
+    if (plan.flipped)
+    {
+        SolutionRows rows = follow(letters, file, instance, cells, *plan.flipped, left);
+        const bool solved = solves(rows);
+        return {std::move(rows), solved};
+    }
     const auto validIfFlipped = [&]() -> std::optional<SolutionRows>
     {
         try
         {
-            SolutionRows rows = follow(plan, file, instance, cells, true);
+            SolutionRows rows = follow(letters, file, instance, cells, true, left);
             rows.warnings.push_back("the plan is valid only if u goes to the next row, as in old downloads; "
                                     "it was read so");
-            return validate(instance, rows.moves, MotionRule::rotation).valid() ? std::optional(rows)
-                                                                                : std::nullopt;
+            return solves(rows) ? std::optional(std::move(rows)) : std::nullopt;
         }
         catch (const ParseError &)
         {
@@ -420,18 +417,81 @@ SolutionRows parseTracker(std::string_view text, const std::string &file, Tracke
     };
     try
     {
-        SolutionRows rows = follow(plan, file, instance, cells, false);
-        if (validate(instance, rows.moves, MotionRule::rotation).valid())
-            return rows;
+        SolutionRows rows = follow(letters, file, instance, cells, false, left);
+        if (solves(rows))
+            return {std::move(rows), true};
         auto flipped = validIfFlipped();
-        return flipped ? *flipped : rows;
+        return flipped ? std::pair(std::move(*flipped), true) : std::pair(std::move(rows), false);
     }
     catch (const ParseError &)
     {
         if (auto flipped = validIfFlipped())
-            return *flipped;
+            return {std::move(*flipped), true};
         throw;
     }
+}
+
+/// The only one of several plans that solves the instance.
+SolutionRows onlySolving(const std::vector<Plan> &plans, const std::string &file, const Instance &instance,
+                         const Cells &cells)
+{
+    std::size_t left = 2 * kMostSteps;
+    const auto solution = [&](const Plan &plan) -> std::optional<SolutionRows>
+    {
+        try
+        {
+            auto [rows, solved] = rowsOf(plan, file, instance, cells, left);
+            return solved ? std::optional(std::move(rows)) : std::nullopt;
+        }
+        catch (const ParseError &)
+        {
+            return std::nullopt;
+        }
+    };
+    const std::string second =
+        "a second plan of " + counted(instance.robotCount(), "robot", "robots") + " that may be meant";
+    std::optional<SolutionRows> found;
+    const Plan *solving = nullptr;
+    for (const Plan &plan : plans)
+    {
+        auto rows = solution(plan);
+        if (rows && found)
+            throw ParseError(plan.where, second + ": " + solving->name() + " and " + plan.name() +
+                                             " solve the instance; give it the name of its scenario, as in "
+                                             "empty-8-8-even-1.scen");
+        if (!rows)
+            continue;
+        found = std::move(rows);
+        solving = &plan;
+    }
+    if (!found)
+        throw ParseError(plans[1].where, second + ", and none of them solves the instance");
+    found->warnings.push_back("there are " + std::to_string(plans.size()) +
+                              " plans that may be meant; read was " + solving->name() +
+                              ", the only one that solves the instance");
+    return std::move(*found);
+}
+
+} // namespace
+
+SolutionRows parseTracker(std::string_view text, const std::string &file, TrackerForm form,
+                          const Instance &instance, const TrackerContext &context)
+{
+    const FormatId id = form == TrackerForm::csv ? FormatId::trackerCsv : FormatId::trackerJson;
+    return readAs(id, text, file,
+                  [&]
+                  {
+                      Candidates candidates(file, context, instance.robotCount());
+                      if (form == TrackerForm::csv)
+                          readCsv(text, candidates);
+                      else
+                          readJson(text, candidates);
+                      const std::vector<Plan> plans = candidates.take();
+                      const Cells cells(*instance.graph);
+                      std::size_t left = kMostSteps;
+                      return plans.size() == 1 ? rowsOf(plans.front(), file, instance, cells, left).first
+                                               : onlySolving(plans, file, instance, cells);
+                  });
 }
 
 std::string formatTracker(const Instance &instance, const Schedule &schedule, TrackerForm form,

@@ -37,12 +37,22 @@ enum class TrackerForm
     json,
 };
 
-/// Reads the one plan of a file. d goes to the next row unless `flip_up_down` says otherwise. Old downloads
-/// have no such field and turn up and down: where it is missing, and the plan is valid for the instance that
-/// way only, it is read that way, with a warning. Throws ParseError where the file breaks its form, holds
-/// other than one plan, or a robot leaves the graph; InputError where the graph does not lie on cells.
+/// What is known of an instance beside itself; empty or 0 where it is not.
+struct TrackerContext
+{
+    std::string map = {};  ///< the map's name without extension
+    std::string type = {}; ///< of the scenario
+    int number = 0;
+};
+
+/// Reads the plan of this instance out of a file, which may hold those of other maps, scenarios and numbers
+/// of robots. Where several remain, it is the only one that solves the instance, with a warning. d goes to
+/// the next row unless `flip_up_down` says otherwise. Old downloads have no such field and turn up and down:
+/// where it is missing, and the plan is valid for the instance that way only, it is read that way, with a
+/// warning. Throws ParseError where the file breaks its form, holds no plan of this map and scenario, several
+/// that may be meant, or a robot leaves the graph; InputError where the graph does not lie on cells.
 [[nodiscard]] SolutionRows parseTracker(std::string_view text, const std::string &file, TrackerForm form,
-                                        const Instance &instance);
+                                        const Instance &instance, const TrackerContext &context = {});
 
 /// With counts, d to the next row. Throws InputError where the graph does not lie on cells or a move does not
 /// go to a cell beside.

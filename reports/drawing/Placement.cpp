@@ -1,5 +1,6 @@
 #include "reports/drawing/Placement.h"
 
+#include "framework/model/DrawingCoordinates.h"
 #include "reports/drawing/GraphvizGraph.h"
 
 #include <algorithm>
@@ -56,7 +57,7 @@ std::optional<Placement> placeByCoordinates(const Graph &graph, double spacing)
 {
     if (!graph.hasCoordinates())
         return std::nullopt;
-    std::vector<Point> positions(graph.coordinates().begin(), graph.coordinates().end());
+    std::vector<Point> positions = drawingCoordinates(graph);
     double least[2] = {positions.front().x, positions.front().y};
     double most[2] = {least[0], least[1]};
     const double up = graph.yAxis() == YAxis::down ? -1 : 1;
@@ -98,7 +99,10 @@ std::optional<Placement> placeByCoordinates(const Graph &graph, double spacing)
     if (places.size() <= kLargestGraph)
         unit = std::min(unit, std::max(unit / 2, crampedDistance(places) / kDiameters));
     constexpr double kLargestPage = 14000; // points; PDF ends at 200 inches
-    const double extent = std::max({most[0] - least[0], most[1] - least[1], unit});
+    constexpr double kFinest = 1e-7;       // of the extent: nothing is drawn finer
+    const double widest = std::max(most[0] - least[0], most[1] - least[1]);
+    unit = std::max(unit, widest * kFinest);
+    const double extent = std::max(widest, unit);
     const double factor = std::min(spacing / unit, kLargestPage / extent);
     for (Point &position : positions)
     {

@@ -287,12 +287,12 @@ TEST_F(FormatsFolder, SaysWhichFormatsAreKnown)
     const auto graph = [this](const char *name, const char *contents)
     { return complaint([&] { (void)loadGraph(write(name, contents)); }); };
     EXPECT_THAT(graph("g.txt", "hello\n"), HasSubstr("a graph is a MovingAI map (.map), GraphML"));
-    EXPECT_THAT(graph("g.csv", "step,robot,from,to\n"), HasSubstr("this is a solution, no graph"));
+    EXPECT_THAT(graph("g.csv", "step,robot,from,to\n"), HasSubstr("this is a solution as CSV, no graph"));
     EXPECT_THAT(graph("g", ""), HasSubstr("of no known format"));
     EXPECT_THAT(graph("g.gml", "graph [\n node [ id 0 ] ]\n"),
-                HasSubstr("g.gml:1:1: this is GML, the bracketed format"));
+                HasSubstr("g.gml:1:1: this is GML (the bracketed format)"));
     EXPECT_THAT(graph("g.map", ""), HasSubstr("g.map:1:1: the file ends within the header"));
-    EXPECT_THAT(graph("g.instance", "graph = x\n"), HasSubstr("this is an instance, no graph"));
+    EXPECT_THAT(graph("g.instance", "graph = x\n"), HasSubstr("this is instance text, no graph"));
     EXPECT_THAT(complaint([this] { (void)loadGraph(folder_ / "none.map"); }),
                 HasSubstr("there is no such file"));
     EXPECT_THAT(complaint([this] { (void)loadGraph(folder_); }), HasSubstr("is a folder"));
@@ -302,7 +302,7 @@ TEST_F(FormatsFolder, SaysWhichFormatsAreKnown)
     };
     EXPECT_THAT(instance("i.yaml", "map: x\n"), HasSubstr("expected a map with the key 'dimensions'"));
     EXPECT_THAT(instance("i.txt", "hello\n"), HasSubstr("or a MovingAI scenario (.scen)"));
-    EXPECT_THAT(instance("i.map", kMap), HasSubstr("this is a graph, no instance"));
+    EXPECT_THAT(instance("i.map", kMap), HasSubstr("this is a MovingAI map, no instance"));
     EXPECT_THAT(instance("i.instance", ""), HasSubstr("i.instance:1:1: the file is empty"));
     EXPECT_THAT(instance("i.instance", "agent: start = 0, goal = 1\n"), HasSubstr("names no graph"));
     EXPECT_THAT(instance("i.instance", "\ngraph = none.graphml\n"),
@@ -414,11 +414,31 @@ TEST(Formats, AreListedInTheCatalog)
         EXPECT_TRUE(format.reads || format.writes) << format.name;
         EXPECT_FALSE(format.description.empty()) << format.name;
     }
-    EXPECT_EQ(names, (std::set<std::string>{"cpf", "dimacs", "edge_list", "graphml", "graphrec",
-                                            "graphrec_xml", "instance", "kei18_instance", "kei18_result",
-                                            "libmrp_instance", "libmrp_schedule", "movingai_map",
-                                            "movingai_scenario", "paths", "planviz", "solution",
-                                            "surynek_solution", "tracker_csv", "tracker_json"}));
+    EXPECT_EQ(names, (std::set<std::string>{"cpf",
+                                            "dimacs",
+                                            "edge_list",
+                                            "graphml",
+                                            "graphrec",
+                                            "graphrec_xml",
+                                            "instance",
+                                            "kei18_instance",
+                                            "kei18_result",
+                                            "libmrp_instance",
+                                            "libmrp_map",
+                                            "libmrp_roadmap",
+                                            "libmrp_schedule",
+                                            "matrix_market",
+                                            "movingai_map",
+                                            "movingai_scenario",
+                                            "paths",
+                                            "planviz",
+                                            "planviz_2_0",
+                                            "solution",
+                                            "surynek_solution",
+                                            "tracker_csv",
+                                            "tracker_json",
+                                            "vetand_instance",
+                                            "vetand_result"}));
     for (const char *model : {"fully_controlled", "small_benchmark", "public_benchmark"})
         EXPECT_NE(catalog.problems.find(model), nullptr) << model;
 }

@@ -76,7 +76,38 @@ TEST(GraphMl, NamespacePrefixesDoNotMatter)
 <g:edge source="a" target="b"><g:data key="w">2.5</g:data></g:edge></g:graph></g:graphml>)xml");
     EXPECT_EQ(read.graph->vertexCount(), 2);
     EXPECT_EQ(read.graph->weight(0, 1), 2.5);
-    EXPECT_THAT(read.warnings, ElementsAre(HasSubstr("weight other than 1")));
+    EXPECT_THAT(
+        read.warnings,
+        ElementsAre(HasSubstr("1 element is skipped: called as GraphML's are, but of another namespace"),
+                    HasSubstr("weight other than 1")));
+}
+
+TEST(GraphMl, NamespacesAreKnownByTheirAddresses)
+{
+    const GraphMl read = parse(R"xml(<graphml xmlns="urn:g" xmlns:g="urn:g" xmlns:y="urn:y">
+<graph edgedefault="undirected"><node id="a"/><g:node id="b"/><y:node id="c"/>
+<h:node xmlns:h="urn:g" id="d"/><node xmlns="urn:y" id="e"><node id="f"/></node>
+<edge source="a" target="b"/><g:edge source="b" target="d"/></graph></graphml>)xml");
+    EXPECT_EQ(edgesOf(*read.graph), (Edges{{0, 1}, {1, 2}}));
+    EXPECT_THAT(read.warnings, ElementsAre(HasSubstr("2 elements are skipped")));
+}
+
+TEST(GraphMl, TrueIsSpeltWithLargeLettersToo)
+{
+    const GraphMl read = parse(R"xml(<graphml><graph edgedefault="Undirected"><node id="a"/><node id="b"/>
+<edge source="a" target="b" directed="True"/></graph></graphml>)xml");
+    EXPECT_THAT(read.warnings, ElementsAre(HasSubstr("1 directed edge has no opposite")));
+}
+
+TEST(GraphMl, OppositeDirectionsOfDifferentWeightsAreSaid)
+{
+    const GraphMl read = parse(R"xml(<graphml><key id="w" for="edge" attr.name="weight"/>
+<graph edgedefault="directed"><node id="a"/><node id="b"/>
+<edge source="a" target="b"><data key="w">2</data></edge>
+<edge source="b" target="a"><data key="w">3</data></edge></graph></graphml>)xml");
+    EXPECT_EQ(read.graph->weight(0, 1), 2);
+    EXPECT_THAT(read.warnings, ElementsAre(HasSubstr("1 edge has another weight in the opposite direction"),
+                                           HasSubstr("weight other than 1")));
 }
 
 TEST(GraphMl, DirectedFilesThatListBothDirectionsAreFolded)

@@ -172,7 +172,7 @@ TEST(GraphRecXml, RefusesWhatIsMalformed)
     const std::string begin = "<graphrec version=\"1.0\">\n<solution><graph>";
     const std::string end = "</graph></solution></graphrec>";
     const std::vector<Refusal> refusals = {
-        {"OtherRoot", "<svg/>", "bad:1:1", "expected <graphrec>"},
+        {"OtherRoot", "<svg/>", "bad:1:1", "this is an SVG picture, but expected an animation for GraphRec"},
         {"OtherVersion", "<graphrec version=\"2\"/>", "bad:1:1", "expected 1.0"},
         {"NoSolution", "<graphrec version=\"1.0\"/>", "bad:1:1", "no <solution>"},
         {"TwoSolutions", begin + "</graph></solution>\n<solution/></graphrec>", "bad:3:1",

@@ -32,7 +32,7 @@ TEST(Dimacs, SaysWhatItLeavesOut)
 {
     const GraphText text = parseDimacs("p col 3 9\nn 1 4\ne 1 1\ne 1 2\ne 2 1\n", "f");
     EXPECT_EQ(text.graph->edgeCount(), 1);
-    EXPECT_THAT(text.warnings, testing::ElementsAre("1 loops are left out", "1 parallel edges are left out",
+    EXPECT_THAT(text.warnings, testing::ElementsAre("1 loop is left out", "1 parallel edge is left out",
                                                     testing::HasSubstr("promises 9 edges and has 3")));
 }
 
@@ -68,8 +68,89 @@ TEST(EdgeList, ReadsWhatOthersWrite)
         EXPECT_EQ(read.graph->edgeCount(), 2) << text;
         EXPECT_TRUE(read.warnings.empty()) << text;
     }
+    EXPECT_EQ(parseEdgeList("0 1 # one\n1 2 % two\n", "f").graph->edgeCount(), 2);
     EXPECT_EQ(parseEdgeList("0 1 {'weight': 2.5}\n", "f").graph->weight(0, 1), 2.5);
     EXPECT_EQ(parseEdgeList("# Nodes: 5\n", "f").graph->vertexCount(), 5);
+}
+
+TEST(EdgeList, NumbersWithGapsAreKeptAsNames)
+{
+    for (const char *comment : {"# Nodes: 4 Edges: 3\n", ""})
+    {
+        const GraphText read = parseEdgeList(std::string(comment) + "17\t4\n17\t902\n902\t30011\n", "f");
+        EXPECT_EQ(read.graph->vertexCount(), 4);
+        EXPECT_THAT(read.vertexNames, testing::ElementsAre("4", "17", "902", "30011"));
+        EXPECT_TRUE(read.graph->hasEdge(2, 3));
+        EXPECT_THAT(read.warnings, testing::ElementsAre(testing::HasSubstr(
+                                       "kept as names: vertex 0 is '4', the last, vertex 3, is '30011'")));
+        const GraphText again = parseEdgeList(formatEdgeList(*read.graph, read.vertexNames), "f");
+        EXPECT_EQ(again.vertexNames, read.vertexNames);
+        EXPECT_EQ(again.graph->fingerprint(), read.graph->fingerprint());
+    }
+}
+
+TEST(EdgeList, AListWithout0IsSaidToCountFrom1)
+{
+    const GraphText read = parseEdgeList("1 2\n2 3\n3 4\n", "f");
+    EXPECT_EQ(read.graph->vertexCount(), 4);
+    EXPECT_THAT(read.warnings, testing::ElementsAre(testing::HasSubstr("counted from 1")));
+}
+
+TEST(EdgeList, OnlySomeVerticesWithEdgesIsSaid)
+{
+    const GraphText read = parseEdgeList("# Nodes: 4\n0 9\n", "f");
+    EXPECT_EQ(read.graph->vertexCount(), 2);
+    EXPECT_THAT(read.warnings,
+                testing::Contains(testing::HasSubstr("only 2 of the 4 vertices have an edge")));
+}
+
+TEST(EdgeList, KonectsNetworksCountFrom1AsTheirHeaderSays)
+{
+    const GraphText read = parseEdgeList("% sym unweighted\n% 2 4 4\n1 2\n2 3\n", "f");
+    EXPECT_EQ(read.graph->vertexCount(), 4);
+    EXPECT_EQ(read.graph->edgeCount(), 2);
+    EXPECT_TRUE(read.graph->hasEdge(0, 1));
+}
+
+TEST(EdgeList, EdgesThatLookLikeCountsAreReadBehindTheNumberOfVertices)
+{
+    const GraphText read = parseEdgeList("# Nodes: 4\n3 2\n0 1\n1 2\n", "f");
+    EXPECT_EQ(read.graph->edgeCount(), 3);
+    EXPECT_TRUE(read.warnings.empty());
+}
+
+TEST(MatrixMarket, ASquareMatrixIsTheGraphOfItsEntries)
+{
+    const GraphText pattern = parseMatrixMarket("%%MatrixMarket matrix coordinate pattern symmetric\n"
+                                                "% x\n4 4 3\n2 1\n3 2\n4 3\n",
+                                                "f");
+    EXPECT_EQ(pattern.graph->vertexCount(), 4);
+    EXPECT_EQ(pattern.graph->edgeCount(), 3);
+    EXPECT_TRUE(pattern.warnings.empty());
+    const GraphText weighted = parseMatrixMarket("%%matrixmarket MATRIX coordinate Real General\r\n"
+                                                 "3 3 3\r\n1 2 2.5\r\n2 1 2.5\r\n2 2 1\r\n",
+                                                 "f");
+    EXPECT_EQ(weighted.graph->edgeCount(), 1);
+    EXPECT_EQ(weighted.graph->weight(0, 1), 2.5);
+    EXPECT_THAT(weighted.warnings, testing::ElementsAre("1 loop is left out", testing::HasSubstr("weight")));
+}
+
+TEST(MatrixMarket, RefusesWhatIsNoGraph)
+{
+    const std::string header = "%%MatrixMarket matrix coordinate pattern symmetric\n";
+    const std::vector<Refusal> refusals = {
+        {"Array", "%%MatrixMarket matrix array real general\n1 1\n0\n", "bad:1:1", "is not read"},
+        {"Complex", "%%MatrixMarket matrix coordinate complex general\n1 1 0\n", "bad:1:1", "is not read"},
+        {"Rectangle", header + "2 3 0\n", "bad:2:1", "only a square one is a graph"},
+        {"NoSizes", header, "bad:2:1", "ends without its sizes"},
+        {"TooFew", header + "2 2 2\n2 1\n", "bad:2:1", "there should be 2 entries"},
+        {"Row0", header + "2 2 1\n0 1\n", "bad:3:1", "counted from 1"},
+        {"Value", header + "2 2 1\n2 1 5\n", "bad:3:5", "expected the line's end"},
+        {"Huge", header + "4000000000 4000000000 0\n", "bad:2:1", "do not fit"},
+    };
+    for (const Refusal &refusal : refusals)
+        expectRefusal(refusal,
+                      [](const std::string &text, const char *file) { (void)parseMatrixMarket(text, file); });
 }
 
 TEST(EdgeList, RefusesWhatIsMalformed)
@@ -83,8 +164,16 @@ TEST(EdgeList, RefusesWhatIsMalformed)
         {"AttributeWithoutValue", "0 1 {'weight'}\n", "bad:1:14", "expected ':'"},
         {"FourNumbers", "0 1 2 3\n", "bad:1:7", "expected the line's end"},
         {"Negative", "0 -1\n", "bad:1:3", "no vertex -1"},
-        {"Huge", "0 4000000000\n", "bad:1:3", "no vertex 4000000000"},
-        {"BeyondThePromise", "# Nodes: 2\n0 2\n", "bad:2:3", "expected 0 to 1"},
+        {"Huge", "0 40000000000000000000\n", "bad:1:3", "too large"},
+        {"BeyondThePromise", "# Nodes: 2\n0 2\n1 3\n", "bad:1:1", "4 different numbers of vertices"},
+        {"CountsInFront", "3 2\n0 1\n1 2\n", "bad:1:1",
+         "looks like counts of vertices and edges (2 edges follow)"},
+        {"EdgesCountedFirst", "2 3\n0 1\n1 2\n", "bad:1:1", "counts"},
+        {"CountsFrom1", "# x\n3 2\n1 2\n2 3\n", "bad:2:1", "counts"},
+        {"SomeWeights", "0 1\n0 1 5\n", "bad:2:1", "this line has a weight"},
+        {"Metis", "4 4\n2 4\n1 3\n2 4\n1 3\n", "bad:1:1", "METIS"},
+        {"AdjacencyMatrix", "0 1 0\n1 0 1\n0 1 0\n", "bad:1:1", "an adjacency matrix"},
+        {"Bipartite", "% bip unweighted\n1 1\n", "bad:1:1", "KONECT"},
         {"HugePromise", "# Nodes: 4000000000\n0 2\n", "bad:1:3", "do not fit"},
     };
     for (const Refusal &refusal : refusals)

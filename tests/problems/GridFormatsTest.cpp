@@ -124,7 +124,7 @@ TEST(Tracker, RefusesWhatIsMalformed)
         {"OpenQuote", "solution_plan\n\"rr\n", "bad:2:1", "never closed"},
         {"BehindQuote", "solution_plan\n\"r\"r\n", "bad:2:4", "expected a comma"},
         {"TooFewCells", "agents,solution_plan\nr\n", "bad:2:1", "the row has 1 cells"},
-        {"TwoPlans", "solution_plan\nr\nr\n", "bad", "there are 2 plans, but none of 1 robots"},
+        {"TwoPlans", "solution_plan\nr\nr\n", "bad", "there are 2 plans, but none of 1 robot,"},
         {"Flip", "solution_plan,flip_up_down\nr,maybe\n", "bad:2:3", "neither TRUE nor FALSE"},
         {"Letter", "solution_plan\nrx\n", "bad:2:2", "expected one of u, d, l, r and w"},
         {"OffTheMap", "solution_plan\n5r\n", "bad:2:1", "the cell (4, 0)"},
@@ -159,11 +159,23 @@ TEST(PlanViz, IsTheJsonThatTheViewerReads)
         nlohmann::json::parse(formatPlanViz(instance, Schedule({{0, 4, 0}, {0, 0, 1}}, {1, 2})));
     const auto expected = nlohmann::json::parse(
         R"({"actionModel":"MAPF","AllValid":"Yes","teamSize":2,"start":[[1,0,"N/A"],[0,3,"N/A"]],
-            "numTaskFinished":2,"sumOfCost":2,"makespan":2,"actualPaths":["U,R","W,W"],
-            "plannerPaths":["U,R","W,W"],"errors":[],
+            "numTaskFinished":2,"sumOfCost":2,"makespan":2,"actualPaths":["D,R","W,W"],
+            "plannerPaths":["D,R","W,W"],"errors":[],
             "events":[[[0,0,"assigned"],[0,2,"finished"]],[[1,0,"assigned"],[1,0,"finished"]]],
             "tasks":[[0,0,1],[1,0,3]]})");
     EXPECT_EQ(json, expected);
+}
+
+TEST(PlanViz, DGoesToTheRowBeforeButForTheVersionsUpTo20)
+{
+    const Instance instance = room({4}, {0});
+    const auto path = [&](PlanVizVersion version)
+    {
+        const std::string text = formatPlanViz(instance, Schedule({{0, 4, 0}}, {1}), version);
+        return nlohmann::json::parse(text)["actualPaths"][0].get<std::string>();
+    };
+    EXPECT_EQ(path(PlanVizVersion::current), "D");
+    EXPECT_EQ(path(PlanVizVersion::upTo2_0), "U");
 }
 
 // libMultiRobotPlanning
@@ -215,7 +227,8 @@ TEST(LibMrp, RefusesWhatIsMalformed)
         {"ObstacleOutside", "map: {dimensions: [3, 2], obstacles: [[3, 0]]}\nagents: []\n", "bad:1:39",
          "(3, 0) is outside"},
         {"NoGoal", map + "agents: [{start: [0, 0]}]\n", "bad:2:10", "the key 'goal' is missing"},
-        {"Choice", map + "agents: [{start: [0, 0], potentialGoals: []}]\n", "bad:2:10",
+        {"NoChoice", map + "agents: [{start: [0, 0], potentialGoals: []}]\n", "bad:2:42", "has no goal"},
+        {"Choice", map + "agents: [{start: [0, 0], potentialGoals: [[1, 0], [2, 0]]}]\n", "bad:2:42",
          "may choose its goal"},
         {"StartIsAWord", map + "agents: [{start: x, goal: [0, 0]}]\n", "bad:2:18", "a list of two"},
         {"StartTwice", map + "agents: [{start: [0, 0], goal: [0, 0]},\n {start: [0, 0], goal: [1, 0]}]\n",
@@ -236,7 +249,9 @@ TEST(LibMrp, RefusesWhatIsMalformed)
         {"Obstacle", "schedule:\n  agent0: [{x: 1, y: 1, t: 0}]\n", "bad:2:12",
          "no vertex on the cell (1, 1)"},
         {"Name", "schedule:\n  agent0: [{v: A, t: 0}]\n", "bad:2:16", "there is no vertex 'A'"},
-        {"NoStates", "schedule:\n  agent0: []\n", "bad", "robot 0 has no path"},
+        {"NoStates", "schedule:\n  agent0: []\n", "bad:2:3", "found none for this robot"},
+        {"TimeBack", "schedule:\n  agent0: [{x: 0, y: 0, t: 0}, {x: 1, y: 0, t: 0}]\n", "bad:2:48",
+         "expected a time after 0"},
     };
     for (const Refusal &refusal : schedules)
         expectRefusal(refusal, [&](const std::string &text, const char *file)

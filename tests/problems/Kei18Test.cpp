@@ -26,7 +26,7 @@ TEST(Kei18Instance, ReadsColumnsBeforeRows)
     EXPECT_EQ(instance.goals, (std::vector<Vertex>{3, 4}));
     EXPECT_EQ(
         formatKei18Instance(instance, "arena.map"),
-        "map_file=arena.map\nagents=2\nseed=0\nrandom_problem=0\nmax_timestep=1000\nmax_comp_time=60000\n"
+        "map_file=arena.map\nagents=2\nrandom_problem=0\n"
         "0,1,3,0\n2,0,0,1\n");
 }
 

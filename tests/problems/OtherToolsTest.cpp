@@ -43,7 +43,7 @@ protected:
     /// Whether a solution's file takes the robots to their goals.
     bool solves(const LoadedInstance &loaded, const std::string &name, const std::string &text) const
     {
-        const SolutionRows rows = loadSolution(file(name, text), loaded.instance, loaded.vertexNames);
+        const SolutionRows rows = loadSolution(file(name, text), loaded);
         return validate(loaded.instance, rows.moves, MotionRule::rotation).valid();
     }
 

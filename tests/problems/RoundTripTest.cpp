@@ -135,7 +135,7 @@ protected:
         if (GetParam() == Thing::instance)
             return {loaded.instance.graph, loaded.instance, std::nullopt};
         return {nullptr, std::nullopt,
-                scheduleOf(loadSolution(file, loaded.instance, loaded.vertexNames), loaded.instance)};
+                scheduleOf(loadSolution(file, loaded), loaded.instance)};
     }
 
     /// Expects the same but for what the notes say.

@@ -1,9 +1,11 @@
-#include "problems/formats/XmlDocument.h"
+#include "problems/formats/support/XmlDocument.h"
 
-#include "problems/formats/TextReader.h"
+#include "problems/formats/support/TextReader.h"
 
 #include <algorithm>
 #include <array>
+#include <optional>
+#include <unordered_map>
 #include <unordered_set>
 
 namespace mrpp
@@ -45,7 +47,7 @@ XmlDocument::XmlDocument(std::string_view text, std::string file)
     : text_(withoutByteOrderMark(text)), file_(std::move(file))
 {
     if (text_.starts_with("\xFF\xFE") || text_.starts_with("\xFE\xFF"))
-        throw ParseError(locate(0), "this is UTF-16; expected UTF-8");
+        throw ParseError(locate(0), "this is a text in UTF-16; expected UTF-8");
     const std::size_t first = text_.find_first_not_of(" \t\r\n");
     if (first == std::string_view::npos || text_[first] != '<')
         throw ParseError(locate(std::min(first, text_.size())),
@@ -120,11 +122,133 @@ std::string_view localName(pugi::xml_node element)
     return name.substr(name.find(':') + 1); // npos + 1 is 0
 }
 
-std::string_view namespacePrefix(pugi::xml_node element)
+namespace
+{
+
+/// The namespace prefix of an element's name; empty where it has none.
+std::string_view prefixOf(pugi::xml_node element)
 {
     const std::string_view name = element.name();
     const std::size_t colon = name.find(':');
     return colon == std::string_view::npos ? std::string_view() : name.substr(0, colon);
+}
+
+/// The prefix that an attribute declares, if it declares one: `xmlns` declares the empty one.
+std::optional<std::string_view> declaredPrefix(pugi::xml_attribute attribute)
+{
+    constexpr std::string_view kDeclaration = "xmlns";
+    const std::string_view name = attribute.name();
+    if (!name.starts_with(kDeclaration))
+        return std::nullopt;
+    if (name.size() == kDeclaration.size())
+        return std::string_view();
+    return name[kDeclaration.size()] == ':' ? std::optional(name.substr(kDeclaration.size() + 1))
+                                            : std::nullopt;
+}
+
+/// The addresses that prefixes stand for, as elements are entered and left.
+class Bindings
+{
+public:
+    /// How many the element declares.
+    std::size_t enter(pugi::xml_node element)
+    {
+        std::size_t count = 0;
+        for (const pugi::xml_attribute attribute : element.attributes())
+            if (const auto prefix = declaredPrefix(attribute))
+            {
+                addresses_[*prefix].push_back(attribute.value());
+                order_.push_back(*prefix);
+                ++count;
+            }
+        return count;
+    }
+
+    void leave(std::size_t count)
+    {
+        for (; count > 0; --count)
+        {
+            addresses_[order_.back()].pop_back();
+            order_.pop_back();
+        }
+    }
+
+    /// An unknown prefix stands for itself; without prefix and declaration there is no address.
+    [[nodiscard]] std::string_view addressOf(pugi::xml_node element) const
+    {
+        const std::string_view prefix = prefixOf(element);
+        const auto found = addresses_.find(prefix);
+        return found == addresses_.end() || found->second.empty() ? prefix : found->second.back();
+    }
+
+private:
+    std::unordered_map<std::string_view, std::vector<std::string_view>> addresses_;
+    std::vector<std::string_view> order_;
+};
+
+/// How often a text declares a prefix, as far as one can tell without parsing: at least as often as it does.
+std::size_t declarationsIn(std::string_view text)
+{
+    constexpr std::string_view kDeclaration = "xmlns"; // addresses have it behind a slash
+    constexpr std::string_view kBlanks = " \t\r\n";
+    std::size_t count = 0;
+    for (std::size_t at = text.find(kDeclaration); at != std::string_view::npos;
+         at = text.find(kDeclaration, at + 1))
+        count += at > 0 && kBlanks.find(text[at - 1]) != std::string_view::npos ? 1 : 0;
+    return count;
+}
+
+} // namespace
+
+XmlNamespace::XmlNamespace(const XmlDocument &document)
+{
+    const pugi::xml_node root = document.root();
+    Bindings bindings;
+    const std::size_t declared = bindings.enter(root);
+    const std::string_view address = bindings.addressOf(root);
+    prefixes_.push_back(prefixOf(root));
+    for (const pugi::xml_attribute attribute : root.attributes())
+        if (const auto prefix = declaredPrefix(attribute); prefix && attribute.value() == address)
+            prefixes_.push_back(*prefix);
+    isScoped_ = declarationsIn(document.text()) > declared;
+    if (!isScoped_)
+        return;
+    std::vector<std::size_t> counts = {declared};
+    elements_.insert(root.hash_value());
+    for (pugi::xml_node element = root.first_child(); element && element != root;)
+    {
+        counts.push_back(bindings.enter(element));
+        if (bindings.addressOf(element) == address)
+            elements_.insert(element.hash_value());
+        if (element.first_child())
+        {
+            element = element.first_child();
+            continue;
+        }
+        for (;;)
+        {
+            bindings.leave(counts.back());
+            counts.pop_back();
+            if (element == root)
+                return;
+            if (element.next_sibling())
+            {
+                element = element.next_sibling();
+                break;
+            }
+            element = element.parent();
+        }
+    }
+}
+
+bool XmlNamespace::contains(pugi::xml_node element) const
+{
+    if (element.type() != pugi::node_element)
+        return false;
+    if (isScoped_)
+        return elements_.contains(element.hash_value());
+    const std::string_view prefix = prefixOf(element);
+    return std::find(prefixes_.begin(), prefixes_.end(), prefix) != prefixes_.end();
 }
 
 } // namespace mrpp

@@ -1,4 +1,4 @@
-#include "problems/formats/Cells.h"
+#include "problems/formats/support/Cells.h"
 
 #include "framework/support/Error.h"
 

@@ -1,4 +1,4 @@
-#include "problems/formats/Directions.h"
+#include "problems/formats/support/Directions.h"
 
 #include "framework/support/Error.h"
 

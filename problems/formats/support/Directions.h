@@ -4,7 +4,7 @@
 
 #include "framework/model/Instance.h"
 #include "framework/model/Schedule.h"
-#include "problems/formats/Cells.h"
+#include "problems/formats/support/Cells.h"
 
 #include <string>
 #include <vector>

@@ -1,7 +1,10 @@
-#include "problems/formats/YamlTree.h"
+#include "problems/formats/support/YamlTree.h"
 
-#include "problems/formats/TextReader.h"
+#include "framework/support/Suggestion.h"
+#include "problems/formats/support/TextReader.h"
 
+#include <algorithm>
+#include <cctype>
 #include <sstream>
 #include <unordered_map>
 #include <yaml-cpp/eventhandler.h>
@@ -164,6 +167,95 @@ Config parseYamlTree(std::string_view text, const std::string &file)
         builder.fail(error.mark, "this is no YAML: " + error.msg);
     }
     return builder.take();
+}
+
+YamlDocument::YamlDocument(std::string_view text, std::string file)
+    : file_(std::move(file)), root_(parseYamlTree(text, file_))
+{
+    if (!root_.isMap())
+        throw ParseError({file_, 1, 1}, "expected YAML with a map of keys at the top");
+}
+
+void YamlDocument::fail(const Config &node, const std::string &what) const
+{
+    fail(node.where(), what);
+}
+
+void YamlDocument::fail(const SourceLocation &where, const std::string &what) const
+{
+    throw ParseError({file_, where.line, where.column}, what);
+}
+
+const Config &YamlDocument::get(const Config &map, const char *key) const
+{
+    if (!map.isMap())
+        fail(map, std::string("expected a map with the key '") + key + "'");
+    const Config *value = map.find(key);
+    if (value == nullptr)
+        fail(map, std::string("the key '") + key + "' is missing");
+    return *value;
+}
+
+std::int64_t YamlDocument::integer(const Config &node, const char *what) const
+{
+    const auto value = node.isScalar() ? parseInteger(node.text()) : std::nullopt;
+    if (!value)
+        fail(node, "expected a whole number, the " + std::string(what));
+    return *value;
+}
+
+double YamlDocument::number(const Config &node, const char *what) const
+{
+    const auto value = node.isScalar() ? parseNumber(node.text()) : std::nullopt;
+    if (!value)
+        fail(node, "expected a number, the " + std::string(what));
+    return *value;
+}
+
+bool YamlDocument::flag(const Config &node) const
+{
+    const std::string &text = node.text();
+    std::string lower;
+    for (const char c : text)
+        lower += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    const bool isYes = lower == "true" || lower == "yes" || lower == "on" || lower == "y";
+    const bool isNo = lower == "false" || lower == "no" || lower == "off" || lower == "n";
+    if (!node.isScalar() || (!isYes && !isNo))
+        fail(node, "expected true or false");
+    return isYes;
+}
+
+std::pair<const Config &, const Config &> YamlDocument::pair(const Config &node, const char *form) const
+{
+    if (!node.isList() || node.items().size() != 2)
+        fail(node, "expected a list of two, " + std::string(form));
+    return {node.items()[0], node.items()[1]};
+}
+
+std::pair<std::int64_t, std::int64_t> YamlDocument::point(const Config &node) const
+{
+    const auto &[x, y] = pair(node, "[column, row]");
+    return {integer(x, "column"), integer(y, "row")};
+}
+
+const std::vector<Config> &YamlDocument::items(const Config &node, const char *what) const
+{
+    if (!node.isList() && !isEmpty(node))
+        fail(node, "expected a list of " + std::string(what));
+    return node.items();
+}
+
+bool YamlDocument::isEmpty(const Config &node)
+{
+    return !node.isScalar() && node.items().empty() && node.entries().empty();
+}
+
+void YamlDocument::allowKeys(const Config &map, const std::vector<std::string> &known) const
+{
+    for (const Config::Entry &entry : map.entries())
+        if (std::find(known.begin(), known.end(), entry.key) == known.end())
+            fail(entry.where,
+                 "the key " + inQuotes(entry.key) + " is not known here" + suggestion(entry.key, known));
 }
 
 } // namespace mrpp

@@ -1,4 +1,4 @@
-#include "problems/formats/TextReader.h"
+#include "problems/formats/support/TextReader.h"
 
 #include "framework/support/Config.h"
 
@@ -107,6 +107,16 @@ std::int64_t expectInteger(const TextReader &reader, LineCursor &cursor, std::st
     return *value;
 }
 
+double expectNumber(const TextReader &reader, LineCursor &cursor, std::string_view what)
+{
+    const std::size_t column = cursor.column();
+    const std::string_view text = cursor.until(", \t");
+    const auto value = parseNumber(text);
+    if (!value)
+        reader.fail(column, inQuotes(text) + " is no " + std::string(what) + "; expected a number");
+    return *value;
+}
+
 void expectEnd(const TextReader &reader, LineCursor &cursor, std::string_view form)
 {
     if (!cursor.atEnd())
@@ -141,6 +151,16 @@ std::string inQuotes(std::string_view text)
     if (static_cast<unsigned char>(result.back()) >= 0xC0)
         result.pop_back();
     return result + "…'";
+}
+
+std::string counted(std::size_t count, const char *one, const char *many)
+{
+    return std::to_string(count) + " " + (count == 1 ? one : many);
+}
+
+std::string_view fileNameIn(std::string_view path)
+{
+    return path.substr(path.find_last_of("/\\") + 1); // npos + 1 is 0
 }
 
 } // namespace mrpp

@@ -83,6 +83,9 @@ void expectText(const TextReader &reader, LineCursor &cursor, std::string_view t
 /// Takes a whole number. Throws ParseError where there is none, or one beyond 64 bits.
 [[nodiscard]] std::int64_t expectInteger(const TextReader &reader, LineCursor &cursor, std::string_view what);
 
+/// Takes a number up to the next blank or comma. Throws ParseError where there is none.
+[[nodiscard]] double expectNumber(const TextReader &reader, LineCursor &cursor, std::string_view what);
+
 /// Throws ParseError unless the line is at its end.
 void expectEnd(const TextReader &reader, LineCursor &cursor, std::string_view form);
 
@@ -94,5 +97,11 @@ void expectEnd(const TextReader &reader, LineCursor &cursor, std::string_view fo
 
 /// `'text'`, shortened to fit a message, with what cannot be printed replaced.
 [[nodiscard]] std::string inQuotes(std::string_view text);
+
+/// "1 loop is" or "3 loops are", to begin a warning with.
+[[nodiscard]] std::string counted(std::size_t count, const char *one, const char *many);
+
+/// The last part of a path of this or another system: behind the last slash or backslash.
+[[nodiscard]] std::string_view fileNameIn(std::string_view path);
 
 } // namespace mrpp

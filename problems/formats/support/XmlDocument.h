@@ -8,6 +8,8 @@
 #include <pugixml.hpp>
 #include <string>
 #include <string_view>
+#include <unordered_set>
+#include <vector>
 
 namespace mrpp
 {
@@ -18,6 +20,8 @@ public:
     /// Throws ParseError at the place where the text stops being well-formed XML.
     /// \param text must outlive the document
     XmlDocument(std::string_view text, std::string file);
+
+    [[nodiscard]] std::string_view text() const { return text_; }
 
     /// The outermost element; none in a text without elements.
     [[nodiscard]] pugi::xml_node root() const { return document_.document_element(); }
@@ -45,7 +49,20 @@ private:
 
 /// An element's name without its namespace prefix.
 [[nodiscard]] std::string_view localName(pugi::xml_node element);
-/// The namespace prefix of an element's name; empty where it has none.
-[[nodiscard]] std::string_view namespacePrefix(pugi::xml_node element);
+
+/// Which elements are of the namespace of the outermost one, whatever their prefixes.
+class XmlNamespace
+{
+public:
+    /// O(text).
+    explicit XmlNamespace(const XmlDocument &document);
+
+    [[nodiscard]] bool contains(pugi::xml_node element) const;
+
+private:
+    std::vector<std::string_view> prefixes_;   ///< that mean the namespace everywhere
+    bool isScoped_ = false;                    ///< prefixes are declared within the document, too
+    std::unordered_set<std::size_t> elements_; ///< of the namespace, where prefixes do not tell
+};
 
 } // namespace mrpp
