@@ -1,5 +1,7 @@
 #include "algorithms/pebble/SpinOperations.h"
 
+#include "framework/analysis/BreadthFirstSearch.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -29,9 +31,34 @@ std::vector<Vertex> positions(const PebbleBoard &board)
 
 SpinOperations::SpinOperations(PebbleBoard &board, const Blocks &blocks, const TerminationCondition &ptc)
     : board_(board), graph_(board.graph()), blocks_(blocks), ptc_(ptc), pebble_(board, ptc),
-      free_(blocks, positions(board)), cycles_(graph_, ptc), siteSearch_(graph_.vertexCount(), &ptc),
+      free_(blocks, positions(board)), toEntry_(distancesToEntries()), cycles_(graph_, ptc),
+      siteSearch_(graph_.vertexCount(), &ptc), siteSteps_(graph_.vertexCount()),
       freeSearch_(graph_.vertexCount(), &ptc), held_(board.robotCount(), 0)
 {}
+
+std::vector<std::uint32_t> SpinOperations::distancesToEntries() const
+{
+    std::vector<std::uint32_t> distances(graph_.vertexCount(), kUnreachable);
+    std::vector<Vertex> queue;
+    for (Vertex v = 0; v < graph_.vertexCount(); ++v)
+    {
+        if (!isEntry(v))
+            continue;
+        distances[v] = 0;
+        queue.push_back(v);
+    }
+    for (std::size_t i = 0; i < queue.size(); ++i)
+    {
+        for (const Vertex w : graph_.neighbors(queue[i]))
+        {
+            if (distances[w] != kUnreachable)
+                continue;
+            distances[w] = distances[queue[i]] + 1;
+            queue.push_back(w);
+        }
+    }
+    return distances;
+}
 
 bool SpinOperations::push(Robot r, Vertex v, const std::vector<char> *stay)
 {
@@ -258,22 +285,34 @@ bool SpinOperations::stepOut(Pair pair, Vertex outside)
 /// *Cycle–bridge* and *bridge–bridge*: at the vertices on cycles that are near the pair.
 void SpinOperations::spinsOutside(Pair pair)
 {
+    // Nothing is looked for where all entries are too far off, as on trees.
+    const std::uint32_t nearest =
+        std::min(toEntry_[board_.position(pair.first)], toEntry_[board_.position(pair.second)]);
+    if (nearest == kUnreachable || (found_ && 4 * (std::size_t{nearest} + 1) + 2 >= best_.pathLength()))
+        return;
+    const auto visit = [this](Vertex v, Vertex parent, std::uint32_t steps)
+    {
+        siteSearch_.visit(v, parent);
+        siteSteps_[v] = steps;
+    };
     siteSearch_.begin();
-    siteSearch_.visit(board_.position(pair.first), kNoVertex);
-    siteSearch_.visit(board_.position(pair.second), kNoVertex);
+    visit(board_.position(pair.first), kNoVertex, 0);
+    visit(board_.position(pair.second), kNoVertex, 0);
     while (!siteSearch_.done())
     {
         const Vertex entry = siteSearch_.next();
+        if (found_ && 4 * (std::size_t{siteSteps_[entry]} + 1) + 2 >= best_.pathLength())
+            return;
         for (const Vertex w : graph_.neighbors(entry))
             if (!siteSearch_.visited(w))
-                siteSearch_.visit(w, entry);
-        if (graph_.degree(entry) < 3 || !blocks_.inTwoEdgeComponent(entry))
+                visit(w, entry, siteSteps_[entry] + 1);
+        if (!isEntry(entry))
             continue;
         path_.clear();
         for (Vertex v = entry; v != kNoVertex; v = siteSearch_.parent(v))
             path_.push_back(v);
         std::reverse(path_.begin(), path_.end());
-        if (ptc_() || isEnough() || (found_ && 4 * path_.size() + 2 >= best_.pathLength()))
+        if (ptc_() || isEnough())
             return;
         if (!isWorthTrying(4 * path_.size() + 2))
             continue;

@@ -90,6 +90,11 @@ private:
     };
 
     [[nodiscard]] bool canSwap(Robot r, Robot s) const;
+    [[nodiscard]] bool isEntry(Vertex v) const
+    {
+        return graph_.degree(v) >= 3 && blocks_.inTwoEdgeComponent(v);
+    }
+    [[nodiscard]] std::vector<std::uint32_t> distancesToEntries() const;
     void spinsOnCycle(Pair pair);
     void spinOnCycle(Pair pair, std::size_t entry, Vertex outside);
     bool freeOutside(Pair pair, Vertex outside);
@@ -122,18 +127,22 @@ private:
     Random *random_ = nullptr;
     std::span<const std::uint32_t> assignment_; ///< empty: any two robots may swap
     FreeCounts free_;
+    /// From each vertex to the nearest one at which spinsOutside() may exchange a pair; kUnreachable where
+    /// there is none.
+    std::vector<std::uint32_t> toEntry_;
     CycleSearch cycles_;
-    StampedSearch siteSearch_; ///< of spinsOutside
-    StampedSearch freeSearch_; ///< of makeHole
-    Cycle pairCycle_;          ///< through the pair, of spinsOnCycle
-    Cycle cycle_;              ///< on which the exchange happens; its first vertex is the entry
-    Cycle turned_;             ///< the same the other way round
-    std::vector<Vertex> path_; ///< of spinsOutside
-    std::vector<char> held_;   ///< nonzero for robots on the cycle, of hold(); size = robots
-    Solution best_;            ///< of the swaps tried out
-    bool found_ = false;       ///< whether there is one
-    std::size_t tries_ = 0;    ///< ways to swap that were tried for this pair
-    std::size_t spent_ = 0;    ///< moves that these took
+    StampedSearch siteSearch_;             ///< of spinsOutside
+    std::vector<std::uint32_t> siteSteps_; ///< from the pair, of vertices that it visited
+    StampedSearch freeSearch_;             ///< of makeHole
+    Cycle pairCycle_;                      ///< through the pair, of spinsOnCycle
+    Cycle cycle_;                          ///< on which the exchange happens; its first vertex is the entry
+    Cycle turned_;                         ///< the same the other way round
+    std::vector<Vertex> path_;             ///< of spinsOutside
+    std::vector<char> held_;               ///< nonzero for robots on the cycle, of hold(); size = robots
+    Solution best_;                        ///< of the swaps tried out
+    bool found_ = false;                   ///< whether there is one
+    std::size_t tries_ = 0;                ///< ways to swap that were tried for this pair
+    std::size_t spent_ = 0;                ///< moves that these took
 };
 
 } // namespace mrpp

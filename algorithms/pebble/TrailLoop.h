@@ -17,6 +17,7 @@
 /// travel again.
 
 #include "algorithms/pebble/PebbleBoard.h"
+#include "algorithms/search/BlockRoute.h"
 #include "algorithms/search/PathFinder.h"
 #include "framework/support/Random.h"
 #include "framework/support/TerminationCondition.h"
@@ -24,6 +25,7 @@
 #include <algorithm>
 #include <concepts>
 #include <limits>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -64,6 +66,8 @@ struct TrailSettings
     /// Chance adds 0 … noise to the price of each vertex. \pre a power of two less one
     PathFinder::Cost noise = 0;
     std::uint64_t noiseSeed = 0;
+    /// Of the graph: paths are looked for only in the blocks between their ends. Null: everywhere.
+    const Blocks *blocks = nullptr;
     /// Nonzero where a robot cannot be swapped (on a path or a polygon): arrived robots are walls to it.
     const std::vector<char> *unswappable = nullptr;
     std::size_t mostMoves = std::numeric_limits<std::size_t>::max();
@@ -98,7 +102,10 @@ public:
         : instance_(instance), board_(board), operations_(operations), paths_(paths), ptc_(ptc),
           settings_(settings), arrived_(instance.robotCount(), 0), ranks_(instance.robotCount()),
           places_(instance.graph->vertexCount(), kNowhere)
-    {}
+    {
+        if (settings.blocks != nullptr)
+            route_.emplace(*settings.blocks);
+    }
 
     /// Brings every robot home, in this order where nothing else is asked for.
     /// \param order each robot once
@@ -146,6 +153,8 @@ private:
         const PathFinder::Cost arrivedPrice = unswappable ? PathFinder::kImpassable : settings_.arrivedPrice;
         const auto enterCost = [&](Vertex v) -> PathFinder::Cost
         {
+            if (route_ && !route_->has(v))
+                return PathFinder::kImpassable;
             const Robot other = board_.occupant(v);
             if (other == kNoRobot)
                 return PathFinder::kStep + noise(v);
@@ -157,6 +166,8 @@ private:
         };
         while (!atGoal(r))
         {
+            if (route_)
+                route_->lead(board_.position(r), instance_.goals[r]);
             const std::vector<Vertex> &path =
                 paths_.find(board_.position(r), instance_.goals[r], enterCost, ptc_);
             if (path.empty())
@@ -365,6 +376,7 @@ private:
     PathFinder &paths_;
     const TerminationCondition &ptc_;
     Settings settings_;
+    std::optional<BlockRoute> route_; ///< of the robot that travels
     std::span<const Robot> order_;
     std::size_t next_ = 0;           ///< in order_
     Robot urgent_ = kNoRobot;        ///< travels next

@@ -64,6 +64,9 @@ public:
     {
         return parentBlock_[position_[a] < position_[b] ? b : a];
     }
+    static constexpr std::uint32_t kNoBlock = static_cast<std::uint32_t>(-1);
+    /// The block of v in which the root of the search is, or to which it leads; kNoBlock at a root. O(1).
+    [[nodiscard]] std::uint32_t towardsRoot(Vertex v) const { return parentBlock_[v]; }
     /// The block's vertex that is nearest to the root of the search.
     [[nodiscard]] Vertex top(std::uint32_t block) const { return tops_[block]; }
 
@@ -113,7 +116,7 @@ private:
     std::vector<std::uint32_t> subtreeSize_;
     std::vector<Vertex> parent_;
     std::vector<Vertex> root_;
-    std::vector<std::uint32_t> parentBlock_; ///< a vertex's block towards the root; none at a root
+    std::vector<std::uint32_t> parentBlock_; ///< see towardsRoot()
     std::vector<Vertex> tops_;               ///< size count()
     std::vector<std::uint32_t> vertexOffsets_;
     std::vector<Vertex> vertices_;
