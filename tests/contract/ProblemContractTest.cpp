@@ -5,6 +5,7 @@
 #include "framework/support/File.h"
 #include "problems/generators/Generator.h"
 #include "tests/contract/EverythingRegistered.h"
+#include "tests/contract/UnderLimits.h"
 
 #include <filesystem>
 #include <map>
@@ -102,64 +103,85 @@ protected:
 
 TEST_P(EveryProblem, MakesWellFormedInstances)
 {
-    EXPECT_FALSE(problem_->name().empty());
-    EXPECT_NO_THROW(problem_->check());
-    for (Seed seed = 1; seed <= 20; ++seed)
-    {
-        const auto graph = problem_->makeGraph(seed);
-        const Instance instance = problem_->makeInstance(graph, problem_->robotCount(*graph), seed);
-        EXPECT_EQ(instance.graph, graph);
-        EXPECT_EQ(instance.defect(), std::nullopt);
-        EXPECT_EQ(instance.robotCount(), problem_->robotCount(*graph));
-        const Components components(*graph);
-        for (Robot r = 0; r < instance.robotCount(); ++r)
-            EXPECT_EQ(components.of(instance.starts[r]), components.of(instance.goals[r]));
-    }
+    test::underLimits(
+        [&]
+        {
+            EXPECT_FALSE(problem_->name().empty());
+            EXPECT_NO_THROW(problem_->check());
+            for (Seed seed = 1; seed <= 20; ++seed)
+            {
+                const auto graph = problem_->makeGraph(seed);
+                const Instance instance = problem_->makeInstance(graph, problem_->robotCount(*graph), seed);
+                EXPECT_EQ(instance.graph, graph);
+                EXPECT_EQ(instance.defect(), std::nullopt);
+                EXPECT_EQ(instance.robotCount(), problem_->robotCount(*graph));
+                const Components components(*graph);
+                for (Robot r = 0; r < instance.robotCount(); ++r)
+                    EXPECT_EQ(components.of(instance.starts[r]), components.of(instance.goals[r]));
+            }
+        });
 }
 
 TEST_P(EveryProblem, MakesTheSameInstanceForTheSameSeed)
 {
-    const auto again = make();
-    EXPECT_EQ(again->identity(), problem_->identity());
-    const auto first = problem_->makeGraph(7);
-    const auto second = again->makeGraph(7);
-    EXPECT_EQ(first->fingerprint(), second->fingerprint());
-    EXPECT_EQ(problem_->makeInstance(first, problem_->robotCount(*first), 8).fingerprint(),
-              again->makeInstance(second, again->robotCount(*second), 8).fingerprint());
+    test::underLimits(
+        [&]
+        {
+            const auto again = make();
+            EXPECT_EQ(again->identity(), problem_->identity());
+            const auto first = problem_->makeGraph(7);
+            const auto second = again->makeGraph(7);
+            EXPECT_EQ(first->fingerprint(), second->fingerprint());
+            EXPECT_EQ(problem_->makeInstance(first, problem_->robotCount(*first), 8).fingerprint(),
+                      again->makeInstance(second, again->robotCount(*second), 8).fingerprint());
+        });
 }
 
 TEST_P(EveryProblem, ExtendsASmallerInstanceToALargerOne)
 {
-    if (!problem_->takesRobotCount())
-        GTEST_SKIP() << "has its own robots";
-    const auto graph = problem_->makeGraph(3);
-    const Instance small = problem_->makeInstance(graph, 2, 5);
-    const Instance large = problem_->makeInstance(graph, 5, 5);
-    for (Robot r = 0; r < 2; ++r)
-    {
-        EXPECT_EQ(small.starts[r], large.starts[r]);
-        EXPECT_EQ(small.goals[r], large.goals[r]);
-    }
-    EXPECT_THROW(static_cast<void>(problem_->makeInstance(graph, graph->vertexCount() + 1, 5)), InputError);
+    test::underLimits(
+        [&]
+        {
+            if (!problem_->takesRobotCount())
+                GTEST_SKIP() << "has its own robots";
+            const auto graph = problem_->makeGraph(3);
+            const Instance small = problem_->makeInstance(graph, 2, 5);
+            const Instance large = problem_->makeInstance(graph, 5, 5);
+            for (Robot r = 0; r < 2; ++r)
+            {
+                EXPECT_EQ(small.starts[r], large.starts[r]);
+                EXPECT_EQ(small.goals[r], large.goals[r]);
+            }
+            EXPECT_THROW(static_cast<void>(problem_->makeInstance(graph, graph->vertexCount() + 1, 5)),
+                         InputError);
+        });
 }
 
 TEST_P(EveryProblem, RefusesSettingsThatItDoesNotHave)
 {
-    const auto problem = catalog().problems.create(GetParam());
-    EXPECT_THROW(problem->configure(settings({{"no_such_setting", "1"}}), {.catalog = &catalog()}),
-                 InputError);
-    EXPECT_THROW(problem->configure(Config(), {.catalog = &catalog()}), InputError);
+    test::underLimits(
+        [&]
+        {
+            const auto problem = catalog().problems.create(GetParam());
+            EXPECT_THROW(problem->configure(settings({{"no_such_setting", "1"}}), {.catalog = &catalog()}),
+                         InputError);
+            EXPECT_THROW(problem->configure(Config(), {.catalog = &catalog()}), InputError);
+        });
 }
 
 TEST_P(EveryProblem, NamesTheFilesThatItReads)
 {
-    for (const auto &file : problem_->inputFiles())
-        EXPECT_TRUE(std::filesystem::exists(file)) << file;
-    if (problem_->inputFiles().empty())
-        return;
-    std::filesystem::remove_all(folder_);
-    EXPECT_THROW(problem_->check(), InputError);
-    EXPECT_THROW(static_cast<void>(make()->makeGraph(1)), InputError);
+    test::underLimits(
+        [&]
+        {
+            for (const auto &file : problem_->inputFiles())
+                EXPECT_TRUE(std::filesystem::exists(file)) << file;
+            if (problem_->inputFiles().empty())
+                return;
+            std::filesystem::remove_all(folder_);
+            EXPECT_THROW(problem_->check(), InputError);
+            EXPECT_THROW(static_cast<void>(make()->makeGraph(1)), InputError);
+        });
 }
 
 INSTANTIATE_TEST_SUITE_P(Registered, EveryProblem, testing::ValuesIn(catalog().problems.names()),
