@@ -67,7 +67,7 @@ void Mapp::clear()
 
 void Mapp::setup()
 {
-    landmarks_ = std::make_unique<Landmarks>(graph());
+    landmarks_ = std::make_unique<Landmarks>(graph(), setupCondition());
 }
 
 mapp::Settings Mapp::settings() const

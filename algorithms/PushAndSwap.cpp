@@ -251,8 +251,9 @@ void PushAndSwap::clear()
 
 void PushAndSwap::setup()
 {
-    landmarks_ = std::make_unique<Landmarks>(graph());
-    farFirst_ = farFirst();
+    landmarks_ = std::make_unique<Landmarks>(graph(), setupCondition());
+    if (!setupCondition()())
+        farFirst_ = farFirst();
 }
 
 std::vector<Robot> PushAndSwap::farFirst() const

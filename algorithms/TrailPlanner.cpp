@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace mrpp
 {
@@ -28,18 +29,20 @@ void perturb(std::vector<Robot> &order, Random &random)
 
 } // namespace
 
-TrailPlanner::Preparation::Preparation(const Instance &instance, MotionRule rule)
-    : landmarks(*instance.graph), blocks(*instance.graph),
+TrailPlanner::Preparation::Preparation(const Instance &instance, MotionRule rule, Landmarks landmarksOfGraph,
+                                       Blocks blocksOfGraph, const TerminationCondition &ptc)
+    : landmarks(std::move(landmarksOfGraph)), blocks(std::move(blocksOfGraph)),
       subgraphs(*instance.graph, blocks, rule, instance.starts),
       assignment(subgraphs.assignment(instance.starts)), priorities(subgraphs, instance, assignment),
-      farFirst(mrpp::farFirst(instance, landmarks))
+      farFirst(mrpp::farFirst(instance, landmarks)),
+      confining(BlockRoute::isWorthwhile(blocks) ? &blocks : nullptr)
 {
     const Components components(*instance.graph);
     const auto shapes = componentShapes(*instance.graph, components);
     for (const Vertex start : instance.starts)
         unswappable.push_back(shapes[components.of(start)] == ComponentShape::branching ? 0 : 1);
-    if (!isObviouslySolvable(instance, components))
-        verdict = solvability(instance, rule);
+    if (!ptc() && !isObviouslySolvable(instance, components))
+        verdict = solvability(instance, rule, ptc).value_or(Solvability{});
 }
 
 /// Whether all robots of each component in which somebody moves belong to one subgraph, wherever they are:
@@ -91,7 +94,15 @@ void TrailPlanner::clear()
 
 void TrailPlanner::setup()
 {
-    prepared_ = std::make_unique<const Preparation>(instance(), specs().motion);
+    const TerminationCondition &ptc = setupCondition();
+    Landmarks landmarks(graph(), ptc);
+    if (ptc())
+        return;
+    Blocks blocks(graph());
+    if (ptc())
+        return;
+    prepared_ = std::make_unique<const Preparation>(instance(), specs().motion, std::move(landmarks),
+                                                    std::move(blocks), ptc);
 }
 
 RestartingPlanner::Outcome TrailPlanner::attempt(std::uint64_t number, const TerminationCondition &ptc) const
@@ -145,6 +156,7 @@ TrailSettings TrailPlanner::settings() const
     // How often robots may be sent back on the way, on average, before an order is given up.
     constexpr std::size_t kSetbacksPerRobot = 4;
     return {.arrivedPrice = PathFinder::kStep * (1 + static_cast<PathFinder::Cost>(swapPrice_)),
+            .blocks = prepared_->confining,
             .unswappable = &prepared_->unswappable,
             .mostSetbacks = 50 + kSetbacksPerRobot * instance().robotCount()};
 }

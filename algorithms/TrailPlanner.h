@@ -42,7 +42,9 @@ protected:
     /// Everything that does not depend on an attempt's choices; read by several threads.
     struct Preparation
     {
-        Preparation(const Instance &instance, MotionRule rule);
+        /// The termination condition ends the question whether there is a solution; then nobody may solve.
+        Preparation(const Instance &instance, MotionRule rule, Landmarks landmarksOfGraph,
+                    Blocks blocksOfGraph, const TerminationCondition &ptc);
         [[nodiscard]] bool isObviouslySolvable(const Instance &instance, const Components &components) const;
 
         Landmarks landmarks;
@@ -52,6 +54,7 @@ protected:
         SubgraphPriorities priorities;
         std::vector<char> unswappable; ///< nonzero for robots on a path or a polygon
         std::vector<Robot> farFirst;   ///< an order of all robots
+        const Blocks *confining;       ///< the blocks where paths are looked for in them, else null
         Solvability verdict;
     };
 
@@ -115,7 +118,8 @@ RestartingPlanner::Outcome TrailPlanner::runWith(PebbleBoard &board, Operations 
     if (run.choices == nullptr)
     {
         // On paths and polygons nobody can be swapped, and the main loop always works.
-        Loop loop(instance(), board, operations, paths, run.ptc, {.unswappable = &prepared_->unswappable});
+        Loop loop(instance(), board, operations, paths, run.ptc,
+                  {.blocks = prepared_->confining, .unswappable = &prepared_->unswappable});
         Transpositions transpositions(instance(), board, operations, prepared_->assignment, run.ptc);
         if (loop.run(unswappableRobots()) == Loop::End::solved && transpositions.run())
             return {PlannerStatus::solved, {}, board.takeSolution()};

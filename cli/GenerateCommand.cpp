@@ -1,4 +1,6 @@
 #include "cli/Commands.h"
+#include "cli/Interruption.h"
+#include "cli/WorkLine.h"
 #include "problems/SolvableInstance.h"
 #include "problems/WellFormedInstance.h"
 #include "problems/formats/Formats.h"
@@ -29,6 +31,9 @@ Config settingsOf(const GenerateArguments &arguments)
 
 ExitCode generate(const GenerateArguments &arguments, const Catalog &catalog)
 {
+    FileSet files;
+    WorkLine line;
+    Interruption interruption(std::chrono::milliseconds(0), [&files] { files.abandon(); });
     const auto generator = makeGenerator(catalog, arguments.family);
     generator->configure(settingsOf(arguments), {.catalog = &catalog});
     const auto graph = generator->makeGraph(arguments.seed);
@@ -45,11 +50,12 @@ ExitCode generate(const GenerateArguments &arguments, const Catalog &catalog)
         std::cout << formatGraphMl(*graph);
         return ExitCode::done;
     }
-    FileSet files;
     saveGraph(files, *arguments.graph, *graph);
     if (instance)
-        saveInstance(files, *arguments.instance, *instance, *arguments.graph);
+        saveInstance(files, *arguments.instance, *instance, *arguments.graph, std::nullopt, line.listener());
     files.commit();
+    interruption.waitFromNowOn();
+    line.clear();
     std::cout << generator->name() << ": " << graph->vertexCount() << " vertices, " << graph->edgeCount()
               << " edges" << (instance ? ", " + std::to_string(instance->robotCount()) + " robots" : "")
               << '\n';

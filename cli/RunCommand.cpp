@@ -197,7 +197,7 @@ ExitCode sayDefects(const Benchmark::Summary &summary)
 Benchmark::Summary runCampaign(Benchmark &benchmark, const RunArguments &arguments,
                                const std::filesystem::path &folder, const Catalog &catalog)
 {
-    const Interruption interruption;
+    Interruption interruption(std::chrono::milliseconds(0));
     ProgressLine line(std::cerr, arguments.quiet ? ProgressLine::Mode::quiet : ProgressLine::detect());
     KeptFiles kept(benchmark.plan(), folder);
     Benchmark::Request request;
@@ -207,6 +207,7 @@ Benchmark::Summary runCampaign(Benchmark &benchmark, const RunArguments &argumen
         request.worker = workerCommand(catalog);
     request.shard = arguments.shard;
     request.shards = arguments.shards;
+    request.onChecked = [&interruption] { interruption.waitFromNowOn(); };
     request.onFinished = [&kept](const RunSpec &spec, const RunResult &result) { kept.write(spec, result); };
     request.progress = [&line](const RunRecord &record, std::size_t done, std::size_t total,
                                double secondsLeft) { line.update(record.status, done, total, secondsLeft); };

@@ -1,5 +1,6 @@
 #include "cli/Commands.h"
 #include "cli/Interruption.h"
+#include "cli/WorkLine.h"
 #include "framework/campaign/RunPlanner.h"
 #include "framework/evaluation/Condense.h"
 #include "framework/support/Config.h"
@@ -88,10 +89,9 @@ void say(const RunRecord &record)
 
 /// Writes what was asked for and exists, all of it or nothing.
 /// \param motion the widest rule that an animation may show
-void writeFiles(const SolveArguments &arguments, const RunResult &result, const Instance &instance,
-                const std::vector<NamedOptimizer> &optimizers, MotionRule motion)
+void writeFiles(FileSet &files, const SolveArguments &arguments, const RunResult &result,
+                const Instance &instance, MotionRule motion)
 {
-    FileSet files;
     if (arguments.json)
         files.add(*arguments.json).write(toJson(result.record));
     const bool anyMoves =
@@ -104,7 +104,7 @@ void writeFiles(const SolveArguments &arguments, const RunResult &result, const 
             saveSolution(files, *arguments.solution, result.solution);
         if (arguments.optimizedSolution)
             saveSolution(files, *arguments.optimizedSolution,
-                         improved(instance, result.solution, optimizers));
+                         result.record.optimizedPathLength ? result.optimized : result.solution);
         if (arguments.schedule)
             saveSolution(files, *arguments.schedule,
                          condense(instance, result.solution, MotionRule::following));
@@ -123,6 +123,10 @@ std::optional<std::size_t> toSize(const std::optional<std::int64_t> &number)
 
 ExitCode solve(const SolveArguments &arguments, const Catalog &catalog)
 {
+    constexpr std::chrono::milliseconds kPatience{100};
+    FileSet files;
+    WorkLine line;
+    Interruption interruption(kPatience, [&files] { files.abandon(); });
     const auto planner = catalog.planners.create(arguments.planner);
     for (const auto &[name, value] : arguments.settings)
         planner->parameters().set(name, value);
@@ -138,19 +142,21 @@ ExitCode solve(const SolveArguments &arguments, const Catalog &catalog)
     RunSettings settings;
     settings.limits = {arguments.timeLimit, arguments.memoryLimit};
     settings.motion = *motionRule(arguments.motion);
-    RunResult result;
+    const PreparedInstance prepared =
+        prepare(instance, preparationTime(arguments.timeLimit),
+                {TerminationCondition::when(interruption.token()), line.listener()});
+    line.clear();
+    settings.until = TerminationCondition::after(arguments.timeLimit);
+    RunResult result = runPlanner(*planner, prepared, optimizers, settings, interruption.token());
+    if (interruption.happened())
     {
-        const Interruption interruption;
-        result = runPlanner(*planner, prepare(instance), optimizers, settings, interruption.token());
-        if (interruption.happened())
-        {
-            std::cerr << "interrupted; nothing was written\n";
-            return ExitCode::interrupted;
-        }
+        std::cerr << "interrupted; nothing was written\n";
+        return ExitCode::interrupted;
     }
     result.record.planner = arguments.planner;
     say(result.record);
-    writeFiles(arguments, result, *instance, optimizers, settings.motion);
+    writeFiles(files, arguments, result, *instance, settings.motion);
+    interruption.waitFromNowOn(); // everything is written
     if (result.record.status == PlannerStatus::invalid || result.record.status == PlannerStatus::crash)
         return ExitCode::defect;
     return result.record.solved() ? ExitCode::done : ExitCode::no;

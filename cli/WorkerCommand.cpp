@@ -2,6 +2,7 @@
 #include "framework/campaign/Worker.h"
 #include "yaml/PlanReader.h"
 
+#include <csignal>
 #include <iostream>
 
 namespace mrpp
@@ -9,6 +10,8 @@ namespace mrpp
 
 ExitCode worker(Catalog &catalog)
 {
+    for (const int signal : {SIGINT, SIGTERM})
+        std::signal(signal, SIG_DFL); // its campaign ends it
     const int code = serveRuns(catalog, [&catalog](const PlanSource &source)
                                { return parsePlan(source.text, source.file, catalog, source.mapFolders); });
     if (code == 3)

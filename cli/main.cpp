@@ -13,6 +13,7 @@
 #include <iostream>
 #include <new>
 #include <system_error>
+#include <unistd.h>
 #include <variant>
 
 namespace mrpp
@@ -83,6 +84,9 @@ ExitCode dispatch(int count, const char *const *words)
 
 int main(int count, char **words)
 {
+    // Where no Interruption listens, nothing has to be ended cleanly.
+    for (const int signal : {SIGINT, SIGTERM})
+        std::signal(signal, [](int) { ::_exit(static_cast<int>(mrpp::ExitCode::interrupted)); });
     std::signal(SIGPIPE, SIG_IGN); // gnuplot and pagers may go away; writes then fail and say so
     std::signal(SIGXFSZ, SIG_IGN); // so do those beyond the limit of a file's size
     mrpp::makeSearchPathsAbsolute();

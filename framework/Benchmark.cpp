@@ -238,6 +238,8 @@ Benchmark::Summary Benchmark::benchmark(const Request &request, const std::stop_
         std::erase_if(runs, [&](const RunSpec &run)
                       { return shardOf(plan_, run, request.shards) != request.shard; });
     checkInputs(plan_, runs);
+    if (request.onChecked)
+        request.onChecked();
 
     ResultStore store(request.folder, ResultStore::Access::write);
     Summary summary;

@@ -38,6 +38,8 @@ public:
         /// (mrpp "framework/campaign/Worker.h"). Where it is empty, or a pre-run event is set, runs happen in
         /// this process.
         std::vector<std::string> worker = {};
+        /// Told when every input was read and is right; nothing is written before.
+        std::function<void()> onChecked = {};
         /// Told after every finished run, one call at a time.
         std::function<void(const RunRecord &record, std::size_t done, std::size_t total, double secondsLeft)>
             progress = {};

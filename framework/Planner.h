@@ -78,8 +78,12 @@ public:
         return std::nullopt;
     }
 
-    /// Preprocessing, before solve(); timed apart from it.
+    /// Preprocessing, before solve(); timed apart from it. What takes long asks setupCondition() as solve()
+    /// asks its own, and returns when that says stop; solve() is not called then.
     virtual void setup() {}
+
+    /// Ends setup() early. At first nothing does.
+    void setSetupCondition(TerminationCondition ptc) { setupCondition_ = std::move(ptc); }
 
     /// Looks for a solution until it has one or `ptc` says stop. On `solved` and `partial` solution() holds
     /// it.
@@ -115,6 +119,7 @@ protected:
     [[nodiscard]] const Instance &instance() const { return *instance_; }
     [[nodiscard]] const Graph &graph() const { return *instance_->graph; }
     [[nodiscard]] Seed seed() const { return seed_; }
+    [[nodiscard]] const TerminationCondition &setupCondition() const { return setupCondition_; }
 
     /// For planners that move one robot at a time, or turn cycles.
     void setSolution(Solution solution) { solution_ = std::move(solution); }
@@ -134,6 +139,7 @@ private:
     ProgressProperties progressProperties_;
     std::shared_ptr<const Instance> instance_;
     Seed seed_ = 0;
+    TerminationCondition setupCondition_;
     Solution solution_;
     std::string reason_;
 };

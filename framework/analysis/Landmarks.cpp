@@ -8,7 +8,8 @@
 namespace mrpp
 {
 
-Landmarks::Landmarks(const Graph &graph) : distances_(graph.vertexCount() * kCount, 0)
+Landmarks::Landmarks(const Graph &graph, const TerminationCondition &ptc)
+    : distances_(graph.vertexCount() * kCount, 0)
 {
     if (graph.vertexCount() == 0)
         return;
@@ -17,7 +18,7 @@ Landmarks::Landmarks(const Graph &graph) : distances_(graph.vertexCount() * kCou
     std::vector<std::uint32_t> nearest(graph.vertexCount(), kUnreachable); // to the landmarks so far
     search.run(0);
     Vertex landmark = search.order().back();
-    for (std::size_t l = 0; l < kCount; ++l)
+    for (std::size_t l = 0; l < kCount && !ptc(); ++l)
     {
         search.run(landmark);
         for (Vertex v = 0; v < graph.vertexCount(); ++v)

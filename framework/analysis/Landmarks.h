@@ -7,6 +7,7 @@
 /// 2005.
 
 #include "framework/model/Graph.h"
+#include "framework/support/TerminationCondition.h"
 
 #include <cstdint>
 #include <span>
@@ -22,7 +23,7 @@ public:
 
     /// Picks landmarks one after another, each farthest from those before, and searches from each once.
     /// Memory 32 bytes a vertex, time kCount breadth-first searches.
-    explicit Landmarks(const Graph &graph);
+    explicit Landmarks(const Graph &graph, const TerminationCondition &ptc = {});
 
     /// At most the number of edges between v and t; 0 says nothing. O(kCount).
     [[nodiscard]] std::uint32_t lowerBound(Vertex v, Vertex t) const

@@ -111,17 +111,18 @@ using detail::SolvabilityCase;
 class Oracle
 {
 public:
-    Oracle(const Instance &instance, MotionRule rule)
-        : given_{instance, *instance.graph, rule, Blocks(*instance.graph), {}, {}, {}},
+    Oracle(const Instance &instance, MotionRule rule, const TerminationCondition &ptc)
+        : ptc_(ptc), given_{instance, *instance.graph, rule, Blocks(*instance.graph), {}, {}, {}},
           components_(*instance.graph), shapes_(componentShapes(*instance.graph, components_))
     {}
 
+    /// Meaningless where the termination condition has said stop.
     Objection run()
     {
         if (Objection objection = objectToComponents())
             return objection;
         groupRobots();
-        for (std::uint32_t component = 0; component < components_.count(); ++component)
+        for (std::uint32_t component = 0; component < components_.count() && !ptc_(); ++component)
             if (Objection objection = objectTo(component))
                 return objection;
         return std::nullopt;
@@ -212,6 +213,8 @@ private:
         const auto classOf = [&](Robot robot) { return classes_[instance().goals[robot]]; };
         if (std::ranges::all_of(robots, [&](Robot robot) { return classOf(robot) == classOf(robots[0]); }))
             return std::nullopt;
+        if (ptc_())
+            return std::nullopt;
         normalizeOnce();
         return detail::objectToClasses(given_, *subgraphs_, classes_, robots);
     }
@@ -252,6 +255,7 @@ private:
         return detail::objectToTurning({given_, vertices}, "on the polygon " + detail::listed(vertices));
     }
 
+    const TerminationCondition &ptc_;
     SolvabilityCase given_;
     Components components_;
     std::vector<ComponentShape> shapes_;
@@ -265,9 +269,19 @@ private:
 
 Solvability solvability(const Instance &instance, MotionRule rule)
 {
+    return *solvability(instance, rule, TerminationCondition::never());
+}
+
+std::optional<Solvability> solvability(const Instance &instance, MotionRule rule,
+                                       const TerminationCondition &ptc)
+{
     if (instance.starts == instance.goals)
-        return {};
-    Objection objection = Oracle(instance, rule).run();
+        return Solvability{};
+    if (ptc())
+        return std::nullopt;
+    Objection objection = Oracle(instance, rule, ptc).run();
+    if (ptc())
+        return std::nullopt;
     return objection ? Solvability{false, std::move(*objection)} : Solvability{};
 }
 

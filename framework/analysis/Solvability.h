@@ -27,7 +27,9 @@
 
 #include "framework/model/Instance.h"
 #include "framework/model/MotionRule.h"
+#include "framework/support/TerminationCondition.h"
 
+#include <optional>
 #include <string>
 
 namespace mrpp
@@ -41,5 +43,9 @@ struct Solvability
 
 /// \pre instance.defect() is empty. O(V + E + robots · log robots); memory some 150 bytes a vertex.
 [[nodiscard]] Solvability solvability(const Instance &instance, MotionRule rule);
+
+/// The same; nothing where the termination condition says stop before it is known.
+[[nodiscard]] std::optional<Solvability> solvability(const Instance &instance, MotionRule rule,
+                                                     const TerminationCondition &ptc);
 
 } // namespace mrpp

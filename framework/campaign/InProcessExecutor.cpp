@@ -57,7 +57,7 @@ RunResult InProcessExecutor::executeOnce(const RunSpec &spec, const std::stop_to
     std::shared_ptr<const PreparedInstance> prepared;
     try
     {
-        prepared = instance(spec);
+        prepared = instance(spec, stop);
     }
     catch (const DoesNotFit &error)
     {
@@ -134,7 +134,8 @@ std::shared_ptr<const Graph> InProcessExecutor::graph(const RunSpec &spec)
     return graphs_.get(graphKey(plan_, spec), make);
 }
 
-std::shared_ptr<const PreparedInstance> InProcessExecutor::instance(const RunSpec &spec)
+std::shared_ptr<const PreparedInstance> InProcessExecutor::instance(const RunSpec &spec,
+                                                                    const std::stop_token &stop)
 {
     const auto make = [&]
     {
@@ -143,7 +144,8 @@ std::shared_ptr<const PreparedInstance> InProcessExecutor::instance(const RunSpe
         auto made = mrpp::makeInstance(problem, graph(spec), spec.instanceSeed);
         checkInputs(problem);
         return std::make_shared<const PreparedInstance>(
-            prepare(std::make_shared<const Instance>(std::move(made))));
+            prepare(std::make_shared<const Instance>(std::move(made)), preparationTime(plan_.limits.time),
+                    {.stop = TerminationCondition::when(stop)}));
     };
     return instances_.get(spec.caseId, make);
 }

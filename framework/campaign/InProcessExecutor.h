@@ -45,7 +45,8 @@ public:
     [[nodiscard]] RunResult execute(const RunSpec &spec, const std::stop_token &stop) override;
 
     /// The instance of the run's case. Throws InputError (DoesNotFit) where there is none.
-    [[nodiscard]] std::shared_ptr<const PreparedInstance> instance(const RunSpec &spec);
+    [[nodiscard]] std::shared_ptr<const PreparedInstance> instance(const RunSpec &spec,
+                                                                   const std::stop_token &stop = {});
 
 private:
     [[nodiscard]] RunResult executeOnce(const RunSpec &spec, const std::stop_token &stop);

@@ -105,9 +105,11 @@ void guarded(RunRecord &record, const std::string &who, Work &&work)
 void describeInstance(RunRecord &record, const PreparedInstance &prepared, MotionRule rule)
 {
     record.rule = toString(rule);
-    const Solvability &answer = prepared.solvability(rule);
-    record.solvable = answer.solvable ? "yes" : "no";
-    record.unsolvableReason = answer.reason;
+    if (const auto &answer = prepared.solvability(rule))
+    {
+        record.solvable = answer->solvable ? "yes" : "no";
+        record.unsolvableReason = answer->reason;
+    }
     const Instance &instance = *prepared.instance;
     record.vertices = static_cast<std::int64_t>(instance.graph->vertexCount());
     record.edges = static_cast<std::int64_t>(instance.graph->edgeCount());
@@ -119,7 +121,11 @@ void describeInstance(RunRecord &record, const PreparedInstance &prepared, Motio
     {
         record.pathLengthLowerBound = static_cast<std::int64_t>(prepared.bounds->pathLength);
         record.makespanLowerBound = static_cast<std::int64_t>(prepared.bounds->makespan);
+        record.sumOfCostsLowerBound = record.pathLengthLowerBound;
+        record.pathLengthBoundName = record.makespanBoundName = record.sumOfCostsBoundName =
+            toString(prepared.bounds->means);
     }
+    record.boundTime = prepared.boundTime;
     record.completed = measure(instance, Solution(), kCondenseUnder).completed;
 }
 
@@ -143,7 +149,7 @@ void judgeLimits(RunRecord &record, const RunSettings &settings)
             end(record, PlannerStatus::timeout,
                 fmt::format("answered after {} s{}; the limit is {} s", formatNumber(spent), clock,
                             formatNumber(limit)));
-        if (record.status == PlannerStatus::timeout && spent >= limit)
+        if (record.status == PlannerStatus::timeout && (spent >= limit || settings.until()))
             record.terminationReason = reason;
     };
     tooLate(*record.time, settings.limits.time, "", "walltime");
@@ -154,20 +160,38 @@ void judgeLimits(RunRecord &record, const RunSettings &settings)
             fmt::format("the CPU time limit of {} s came first", formatNumber(*settings.limits.cpu));
 }
 
+void endInSetup(RunRecord &record, const RunSettings &settings, const std::stop_token &stop)
+{
+    if (stop.stop_requested())
+        return end(record, PlannerStatus::aborted, "stopped by the user");
+    end(record, PlannerStatus::timeout,
+        fmt::format("setup() took all of the time limit of {} s", formatNumber(settings.limits.time)));
+    record.terminationReason = "walltime";
+}
+
 /// setup() and solve(), timed; the status is the planner's word, which nobody has checked yet.
 void plan(Planner &planner, const RunSettings &settings, const std::stop_token &stop, RunRecord &record,
           Progress &progress)
 {
+    const auto withinTime = [&]
+    {
+        return TerminationCondition::after(settings.limits.time) || TerminationCondition::when(stop) ||
+               settings.until;
+    };
     begin(RunPhase::setup, settings, record);
     const Stopwatch setup;
+    const TerminationCondition setupEnds = withinTime();
+    planner.setSetupCondition(setupEnds);
     guarded(record, "", [&] { planner.setup(); });
     record.setupTime = setup.seconds();
+    if (record.status == PlannerStatus::unknown && setupEnds())
+        endInSetup(record, settings, stop);
     if (record.status != PlannerStatus::unknown)
         return;
 
     begin(RunPhase::solve, settings, record);
     const CpuWatch cpu;
-    auto ptc = TerminationCondition::after(settings.limits.time) || TerminationCondition::when(stop);
+    auto ptc = withinTime();
     if (settings.limits.cpu && settings.ownProcess)
         ptc = ptc || cpu.limit(*settings.limits.cpu);
     ProgressSampler sampler(planner);
@@ -324,17 +348,32 @@ const char *toString(RunPhase phase)
     return "";
 }
 
-PreparedInstance prepare(std::shared_ptr<const Instance> instance)
+PreparedInstance prepare(std::shared_ptr<const Instance> instance, double seconds,
+                         const Supervision &supervision)
 {
     assert(instance && !instance->defect());
+    const auto within = [&](double part) { return TerminationCondition::after(part) || supervision.stop; };
+    const Supervision bounding{within(seconds), supervision.listener};
+    const TerminationCondition asking = within(seconds / 2);
     PreparedInstance prepared;
-    prepared.bounds = lowerBounds(*instance);
-    prepared.oneAtATime = solvability(*instance, MotionRule::pebble);
-    if (!prepared.oneAtATime.solvable) // rotations only add solutions
-        prepared.withRotations = solvability(*instance, MotionRule::rotation);
     prepared.fingerprint = instance->fingerprint();
+    prepared.oneAtATime = solvability(*instance, MotionRule::pebble, asking);
+    if (prepared.oneAtATime)
+        prepared.withRotations = prepared.oneAtATime->solvable // rotations only add solutions
+                                     ? Solvability()
+                                     : solvability(*instance, MotionRule::rotation, asking);
+    const Stopwatch watch;
+    prepared.bounds = lowerBounds(*instance, bounding, kReasonableVisits);
+    prepared.boundTime = watch.seconds();
     prepared.instance = std::move(instance);
     return prepared;
+}
+
+double preparationTime(double timeLimit)
+{
+    constexpr double kShare = 0.25;
+    constexpr double kLeast = 0.2; // seconds
+    return std::max(kLeast, kShare * timeLimit);
 }
 
 RunResult runPlanner(Planner &planner, const PreparedInstance &prepared,
@@ -373,7 +412,7 @@ RunResult runPlanner(Planner &planner, const PreparedInstance &prepared,
     collect(planner, settings, record);
     if (settings.timingRepeats > 1)
         repeat(settings, prepared, before, stop, planner.solution(), record);
-    if (record.status == PlannerStatus::infeasible && !record.unsolvable())
+    if (record.status == PlannerStatus::infeasible && record.solvable == "yes")
         end(record, PlannerStatus::invalid, "called a solvable instance infeasible: " + record.reason);
     if (!hasSolution(record))
         return result;
@@ -390,7 +429,8 @@ RunResult runPlanner(Planner &planner, const PreparedInstance &prepared,
     {
         begin(RunPhase::optimize, settings, record);
         optimize(result, rule, optimizers,
-                 TerminationCondition::after(settings.limits.time) || TerminationCondition::when(stop));
+                 TerminationCondition::after(settings.limits.time) || TerminationCondition::when(stop) ||
+                     settings.until);
     }
     if (!hasSolution(record))
     {

@@ -14,9 +14,11 @@
 #include "framework/analysis/Solvability.h"
 #include "framework/campaign/BenchmarkPlan.h"
 #include "framework/campaign/Executor.h"
+#include "framework/support/Supervision.h"
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -32,19 +34,27 @@ struct PreparedInstance
 {
     std::shared_ptr<const Instance> instance;
     std::optional<LowerBounds> bounds; ///< nothing where some goal cannot be reached
+    double boundTime = 0;              ///< seconds that they took
     std::string fingerprint;
-    Solvability oneAtATime;    ///< what the oracle says without rotations
-    Solvability withRotations; ///< and with them
+    std::optional<Solvability> oneAtATime;    ///< what the oracle says without rotations, if it had time
+    std::optional<Solvability> withRotations; ///< and with them
 
-    [[nodiscard]] const Solvability &solvability(MotionRule rule) const
+    [[nodiscard]] const std::optional<Solvability> &solvability(MotionRule rule) const
     {
         return rule == MotionRule::rotation ? withRotations : oneAtATime;
     }
 };
 
-/// Costs some dozens of breadth-first searches, and no run's time.
+/// Asks the oracle, for at most half of these seconds, and looks for lower bounds until they are over. What
+/// that comes to depends on the machine's speed where the instance is large; no run's time is spent.
 /// \pre instance->defect() is empty
-[[nodiscard]] PreparedInstance prepare(std::shared_ptr<const Instance> instance);
+[[nodiscard]] PreparedInstance prepare(std::shared_ptr<const Instance> instance,
+                                       double seconds = std::numeric_limits<double>::infinity(),
+                                       const Supervision &supervision = {});
+
+/// How long an instance may be prepared for runs of that time limit: a quarter of it, but long enough for
+/// small instances.
+[[nodiscard]] double preparationTime(double timeLimit);
 
 struct NamedOptimizer
 {
@@ -73,6 +83,7 @@ enum class RunPhase : std::uint8_t
 struct RunSettings
 {
     Limits limits = {};
+    TerminationCondition until = {};          ///< ends planner and optimizers whatever the limits
     MotionRule motion = MotionRule::rotation; ///< a planner of a wider rule is `unsupported`
 
     /// False where other runs share the process: memory and CPU time would be theirs too, and stay empty; the
@@ -94,6 +105,7 @@ struct RunSettings
 
 /// Runs the planner as its parameters and seed are, and reports whatever it does:
 ///  * `unsupported` where it rejects the instance or needs a wider motion rule than the settings allow;
+///  * `timeout` where its setup() takes longer than the time limit: solve() is not called then;
 ///  * `crash` where it throws, `memory_limit` where that is std::bad_alloc, or where the process grew by more
 ///    than the limit (if measured); a HarnessError is thrown on;
 ///  * `invalid` where its solution breaks its own motion rule or misses a goal, or an optimizer's does so or

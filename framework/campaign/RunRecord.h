@@ -49,6 +49,11 @@ struct RunRecord
     std::optional<double> occupancy;
     std::optional<std::int64_t> pathLengthLowerBound;
     std::optional<std::int64_t> makespanLowerBound;
+    std::optional<std::int64_t> sumOfCostsLowerBound;
+    std::string pathLengthBoundName; ///< what kind of bound it is: "distances", … (LowerBounds.h)
+    std::string makespanBoundName;
+    std::string sumOfCostsBoundName;
+    std::optional<double> boundTime; ///< seconds that all bounds of the instance took together
     std::string instanceFingerprint;
     std::string solvable; ///< "yes" or "no", under the planner's own motion rule; empty where nobody knows
     std::string unsolvableReason; ///< where it is "no"

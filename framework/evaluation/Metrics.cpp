@@ -41,6 +41,10 @@ constexpr Metric kMetrics[] = {
      "Share of the robots that end at their goals, 0 to 1."},
     {"cpu_time", "Processor time", "s", lower,
      "Processor time of solve() and of what it started, all cores together."},
+    {"sum_of_costs_lower_bound", "Sum of costs, lower bound", "steps", lower,
+     "Sum over robots of the distance from start to goal; no solution has a smaller sum of costs."},
+    {"bound_time", "Time for bounds", "s", lower,
+     "Wall time in which the instance's lower bounds were found."},
 };
 
 } // namespace

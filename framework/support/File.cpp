@@ -106,6 +106,11 @@ FileWriter::~FileWriter()
 {
     if (file_ >= 0)
         ::close(file_);
+    abandon();
+}
+
+void FileWriter::abandon()
+{
     if (!temporary_.empty())
         ::unlink(temporary_.c_str());
 }
@@ -152,6 +157,7 @@ void FileWriter::fail(const char *step) const
 
 FileWriter &FileSet::add(const std::filesystem::path &path)
 {
+    const std::lock_guard lock(mutex_);
     for (const auto &file : files_)
         if (file->path().lexically_normal() == path.lexically_normal())
             throw FileError({path.string()}, "is to be written twice; every file needs a name of its own");
@@ -162,8 +168,16 @@ void FileSet::commit()
 {
     for (const auto &file : files_)
         file->finish();
+    const std::lock_guard lock(mutex_);
     for (const auto &file : files_)
         file->commit();
+}
+
+void FileSet::abandon()
+{
+    mutex_.lock(); // never to be unlocked
+    for (const auto &file : files_)
+        file->abandon();
 }
 
 } // namespace mrpp

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -43,6 +44,9 @@ public:
     /// Replaces the target by what was written. Throws FileError. To be called once, as the last.
     void commit();
 
+    /// Removes the temporary file of what was not committed.
+    void abandon();
+
     [[nodiscard]] const std::filesystem::path &path() const { return path_; }
 
 private:
@@ -72,7 +76,12 @@ public:
     /// last.
     void commit();
 
+    /// Removes what was not committed. For another thread, which ends the process now: whoever uses the set
+    /// afterwards waits for ever.
+    void abandon();
+
 private:
+    std::mutex mutex_; ///< guards files_, and the renaming
     std::vector<std::unique_ptr<FileWriter>> files_;
 };
 

@@ -168,8 +168,9 @@ FormatId formatOfInput(const ConversionRequest &request)
 class Converter
 {
 public:
-    explicit Converter(const ConversionRequest &request)
-        : request_(request), in_(formatOfInput(request)), target_(chooseTarget(request, in_))
+    Converter(const ConversionRequest &request, FileSet &files, const Supervision::Listener &listener)
+        : request_(request), in_(formatOfInput(request)), target_(chooseTarget(request, in_)), files_(files),
+          listener_(listener)
     {}
 
     Conversion run()
@@ -339,13 +340,15 @@ private:
             note({"the map does not lie beside it, as its name alone stands in the file: " +
                   graphFile.string()});
         if (map && target_.id == FormatId::scenario)
-            return write(request_.out, formatMovingAiScenario(*map, instance, graphFile.filename().string()));
+            return write(request_.out, formatMovingAiScenario(*map, instance, graphFile.filename().string(),
+                                                              {.listener = listener_}));
         if (target_.id == FormatId::kei18Instance)
             return write(request_.out,
                          asTarget([&, &file = graphFile]
                                   { return formatKei18Instance(instance, file.filename().string()); }));
         saveInstance(files_, request_.out, instance, graphFile,
-                     target_.id == FormatId::scenario ? InstanceForm::scenario : InstanceForm::text);
+                     target_.id == FormatId::scenario ? InstanceForm::scenario : InstanceForm::text,
+                     listener_);
         result_.files.push_back(request_.out);
     }
 
@@ -448,7 +451,8 @@ private:
     const ConversionRequest &request_;
     FormatId in_;
     const Target &target_;
-    FileSet files_;
+    FileSet &files_;
+    const Supervision::Listener &listener_;
     Conversion result_;
 };
 
@@ -456,7 +460,14 @@ private:
 
 Conversion convertFile(const ConversionRequest &request)
 {
-    return Converter(request).run();
+    FileSet files;
+    return convertFile(request, files, {});
+}
+
+Conversion convertFile(const ConversionRequest &request, FileSet &files,
+                       const Supervision::Listener &listener)
+{
+    return Converter(request, files, listener).run();
 }
 
 } // namespace mrpp

@@ -8,6 +8,9 @@
 ///     …
 /// \endcode
 
+#include "framework/support/File.h"
+#include "framework/support/Supervision.h"
+
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -37,5 +40,9 @@ struct Conversion
 /// a format that suits, the graph is written beside it. Throws InputError where a file is malformed, the
 /// format of `out` is not clear, holds another kind of thing, or cannot express this one.
 Conversion convertFile(const ConversionRequest &request);
+
+/// The same. \param files what is written, and committed here \param listener hears of what takes long
+Conversion convertFile(const ConversionRequest &request, FileSet &files,
+                       const Supervision::Listener &listener);
 
 } // namespace mrpp

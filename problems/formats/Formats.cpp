@@ -364,7 +364,8 @@ void saveGraph(const std::filesystem::path &file, const Graph &graph)
 }
 
 void saveInstance(FileSet &files, const std::filesystem::path &file, const Instance &instance,
-                  const std::filesystem::path &graphFile, std::optional<InstanceForm> form)
+                  const std::filesystem::path &graphFile, std::optional<InstanceForm> form,
+                  const Supervision::Listener &listener)
 {
     if (form ? *form == InstanceForm::scenario : file.extension() == ".scen")
     {
@@ -380,7 +381,8 @@ void saveInstance(FileSet &files, const std::filesystem::path &file, const Insta
             moved.starts.push_back(cellVertex(instance.starts[r]));
             moved.goals.push_back(cellVertex(instance.goals[r]));
         }
-        files.add(file).write(formatMovingAiScenario(map, moved, graphFile.filename().string()));
+        files.add(file).write(
+            formatMovingAiScenario(map, moved, graphFile.filename().string(), {.listener = listener}));
         return;
     }
     std::filesystem::path named = graphFile;

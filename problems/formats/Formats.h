@@ -12,6 +12,7 @@
 #include "framework/model/Schedule.h"
 #include "framework/model/Solution.h"
 #include "framework/support/File.h"
+#include "framework/support/Supervision.h"
 #include "problems/formats/GraphRec.h"
 #include "problems/formats/MovingAiMap.h"
 #include "problems/formats/SolutionRows.h"
@@ -87,9 +88,11 @@ enum class InstanceForm
 
 /// Writes an instance as text or as a MovingAI scenario (the graph must then be a grid map); without `form`
 /// `.scen` is a scenario, everything else text. Throws InputError where the graph of a scenario is no grid
-/// map. \param graphFile where the graph lies; the instance names it relative to its own folder
+/// map. \param listener hears of the lengths of a scenario's paths \param graphFile where the graph lies; the
+/// instance names it relative to its own folder
 void saveInstance(FileSet &files, const std::filesystem::path &file, const Instance &instance,
-                  const std::filesystem::path &graphFile, std::optional<InstanceForm> form = std::nullopt);
+                  const std::filesystem::path &graphFile, std::optional<InstanceForm> form = std::nullopt,
+                  const Supervision::Listener &listener = {});
 void saveInstance(const std::filesystem::path &file, const Instance &instance,
                   const std::filesystem::path &graphFile, std::optional<InstanceForm> form = std::nullopt);
 

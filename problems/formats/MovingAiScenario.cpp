@@ -3,12 +3,11 @@
 #include "framework/support/Config.h"
 #include "framework/support/File.h"
 #include "problems/formats/FormatId.h"
+#include "problems/formats/OctileDistances.h"
 #include "problems/formats/support/TextReader.h"
 
 #include <array>
-#include <cmath>
 #include <fmt/format.h>
-#include <queue>
 
 namespace mrpp
 {
@@ -226,71 +225,20 @@ Instance scenarioInstance(const Scenario &scenario, const GridMap &map, std::siz
     return instance;
 }
 
-std::string formatMovingAiScenario(const GridMap &map, const Instance &instance, const std::string &mapName)
+std::string formatMovingAiScenario(const GridMap &map, const Instance &instance, const std::string &mapName,
+                                   const Supervision &supervision)
 {
+    const std::vector<double> lengths = octileDistances(map, instance, supervision);
     std::string text = "version 1\n";
     for (std::size_t r = 0; r < instance.robotCount(); ++r)
     {
         const auto [startX, startY] = map.cellOf(instance.starts[r]);
         const auto [goalX, goalY] = map.cellOf(instance.goals[r]);
-        const double length = std::max(0.0, octileDistance(map, instance.starts[r], instance.goals[r]));
         fmt::format_to(std::back_inserter(text), "{}\t{}\t{}\t{}\t{}\t{}\t{}\t{}\t{:.8f}\n",
-                       static_cast<std::int64_t>(length / 4), mapName, map.width, map.height, startX, startY,
-                       goalX, goalY, length);
+                       static_cast<std::int64_t>(lengths[r] / 4), mapName, map.width, map.height, startX,
+                       startY, goalX, goalY, lengths[r]);
     }
     return text;
-}
-
-double octileDistance(const GridMap &map, Vertex start, Vertex goal)
-{
-    const double diagonal = std::sqrt(2.0);
-    const auto [goalX, goalY] = map.cellOf(goal);
-    const auto gap = [](std::size_t a, std::size_t b) { return static_cast<double>(a < b ? b - a : a - b); };
-    const auto estimate = [&, targetX = goalX, targetY = goalY](std::size_t cell)
-    {
-        const double dx = gap(cell % map.width, targetX);
-        const double dy = gap(cell / map.width, targetY);
-        return std::max(dx, dy) + (diagonal - 1) * std::min(dx, dy);
-    };
-    const auto free = [&map](std::int64_t x, std::int64_t y)
-    { return map.contains(x, y) && map.passable(static_cast<std::size_t>(x), static_cast<std::size_t>(y)); };
-
-    struct Entry
-    {
-        double total;
-        double distance;
-        std::size_t cell;
-        bool operator<(const Entry &other) const { return total > other.total; }
-    };
-    const auto [startX, startY] = map.cellOf(start);
-    const std::size_t target = goalY * map.width + goalX;
-    std::vector<double> best(map.cells.size(), -1);
-    std::priority_queue<Entry> queue;
-    const auto reach = [&](std::size_t cell, double distance)
-    {
-        if (best[cell] >= 0 && best[cell] <= distance)
-            return;
-        best[cell] = distance;
-        queue.push({distance + estimate(cell), distance, cell});
-    };
-    reach(startY * map.width + startX, 0);
-    while (!queue.empty())
-    {
-        const Entry entry = queue.top();
-        queue.pop();
-        if (entry.cell == target)
-            return entry.distance;
-        if (entry.distance > best[entry.cell])
-            continue;
-        const auto x = static_cast<std::int64_t>(entry.cell % map.width);
-        const auto y = static_cast<std::int64_t>(entry.cell / map.width);
-        for (int dy = -1; dy <= 1; ++dy)
-            for (int dx = -1; dx <= 1; ++dx)
-                if ((dx != 0 || dy != 0) && free(x + dx, y + dy) && free(x + dx, y) && free(x, y + dy))
-                    reach(static_cast<std::size_t>(y + dy) * map.width + static_cast<std::size_t>(x + dx),
-                          entry.distance + (dx != 0 && dy != 0 ? diagonal : 1));
-    }
-    return -1;
 }
 
 } // namespace mrpp

@@ -12,6 +12,7 @@
 /// first records. Fields are separated by tabs or blanks.
 
 #include "framework/model/Instance.h"
+#include "framework/support/Supervision.h"
 #include "problems/formats/MovingAiMap.h"
 
 #include <cstdint>
@@ -61,13 +62,11 @@ struct Scenario
 
 /// Writes version 1 with tabs, 8 decimals, buckets of four. A goal that cannot be reached gets length 0.
 /// \param mapName what the records call the map
+/// \param supervision hears of the lengths (OctileDistances.h), which take longest; its stop makes those that
+/// are left 0
 /// \pre the instance stands on the map's graph
-/// O(robots · cells · log cells) at worst.
 [[nodiscard]] std::string formatMovingAiScenario(const GridMap &map, const Instance &instance,
-                                                 const std::string &mapName);
-
-/// Length of a shortest path over the 8 neighbouring cells (straight 1, diagonal √2, no corner cut by a
-/// diagonal), or a negative number where there is none. A*; O(cells · log cells) at worst.
-[[nodiscard]] double octileDistance(const GridMap &map, Vertex start, Vertex goal);
+                                                 const std::string &mapName,
+                                                 const Supervision &supervision = {});
 
 } // namespace mrpp

@@ -54,6 +54,78 @@ void expectNoLengths(const RunRecord &record)
     EXPECT_EQ(record.completed, 0);
 }
 
+/// Arranges its memory until it is told to stop, or for ten seconds.
+class SlowStarter final : public Planner
+{
+public:
+    SlowStarter() : Planner({.citation = "", .motion = MotionRule::pebble, .completeFor = ""}) {}
+    void setup() override
+    {
+        const auto late = TerminationCondition::after(10);
+        while (!setupCondition()() && !late())
+            ;
+    }
+    PlannerStatus solve(const TerminationCondition &) override
+    {
+        solved_ = true;
+        return PlannerStatus::gave_up;
+    }
+    [[nodiscard]] bool solveWasCalled() const { return solved_; }
+
+private:
+    bool solved_ = false;
+};
+
+TEST(RunPlanner, EndsSetupAtTheTimeLimitAndDoesNotSolveThen)
+{
+    SlowStarter planner;
+    const RunResult result = runPlanner(planner, question(), {}, {.limits = {.time = 0.05}}, {});
+    EXPECT_EQ(result.record.status, PlannerStatus::timeout);
+    EXPECT_EQ(result.record.terminationReason, "walltime");
+    EXPECT_EQ(result.record.reason, "setup() took all of the time limit of 0.05 s");
+    EXPECT_GE(result.record.setupTime, 0.05);
+    EXPECT_LT(result.record.setupTime, 5);
+    EXPECT_FALSE(planner.solveWasCalled());
+}
+
+TEST(RunPlanner, EndsSetupWhenTheUserStopsIt)
+{
+    SlowStarter planner;
+    std::stop_source stop;
+    stop.request_stop();
+    const RunResult result = runPlanner(planner, question(), {}, {}, stop.get_token());
+    EXPECT_EQ(result.record.status, PlannerStatus::aborted);
+    EXPECT_FALSE(planner.solveWasCalled());
+}
+
+TEST(RunPlanner, EndsWhenTheWholeRunHasToBeOver)
+{
+    SlowStarter planner;
+    RunSettings settings;
+    settings.until = TerminationCondition::after(0.05);
+    EXPECT_EQ(runPlanner(planner, question(), {}, settings, {}).record.status, PlannerStatus::timeout);
+}
+
+TEST(Prepare, SaysLessWhereThereIsNoTime)
+{
+    const auto instance = question().instance;
+    const PreparedInstance all = prepare(instance);
+    EXPECT_EQ(all.bounds->means, BoundMeans::distances);
+    EXPECT_TRUE(all.oneAtATime->solvable);
+    const PreparedInstance nothing = prepare(instance, 0);
+    EXPECT_EQ(nothing.fingerprint, all.fingerprint);
+    EXPECT_EQ(nothing.oneAtATime.has_value(), false);
+    EXPECT_EQ(nothing.withRotations.has_value(), false);
+    EXPECT_EQ(nothing.bounds->means, BoundMeans::displaced);
+    EXPECT_EQ(nothing.bounds->pathLength, 2U);
+}
+
+TEST(Prepare, TakesAQuarterOfTheTimeLimitOrAFifthOfASecond)
+{
+    EXPECT_EQ(preparationTime(60), 15);
+    EXPECT_EQ(preparationTime(0.000001), 0.2);
+}
+
 /// Counts up for a fifth of a second.
 class Counter final : public Planner
 {

@@ -1,4 +1,5 @@
 #include "framework/campaign/RunRecord.h"
+#include "framework/evaluation/Metrics.h"
 
 #include "framework/campaign/RunRecordJson.h"
 
@@ -64,11 +65,28 @@ TEST(RunRecord, HasTheColumnsOfTheResultsFileInTheirOrder)
                                                "load",
                                                "cores",
                                                "limit_means",
-                                               "rule"};
+                                               "rule",
+                                               "path_length_bound_name",
+                                               "makespan_bound_name",
+                                               "sum_of_costs_lower_bound",
+                                               "sum_of_costs_bound_name",
+                                               "bound_time"};
     std::vector<std::string> names;
     for (const RunColumn &column : runColumns())
         names.emplace_back(column.name);
     EXPECT_EQ(names, expected);
+}
+
+TEST(RunRecord, HasEveryMeasureAsAColumnOfSolveJson)
+{
+    for (const Metric &metric : metrics())
+    {
+        const RunColumn *column = findRunColumn(metric.name);
+        ASSERT_NE(column, nullptr) << metric.name;
+        EXPECT_TRUE(column->inSolveJson) << metric.name;
+    }
+    for (const char *name : {"timed", "time_min", "time_max", "time_iqr", "path_length_bound_name"})
+        EXPECT_TRUE(findRunColumn(name)->inSolveJson) << name;
 }
 
 TEST(RunRecord, ComesBackThroughItsColumns)

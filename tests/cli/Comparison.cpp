@@ -54,9 +54,9 @@ void prepareCampaign(const Scratch &scratch, int repetitions)
 std::vector<std::vector<std::string>> lastingResults(const Scratch &scratch, const std::string &folder)
 {
     auto rows = parseCsv(scratch.read(folder + "/results.csv"));
-    const std::set<std::string> passing = {"time",   "setup_time", "optimization_time",
-                                           "memory", "attempt",    "cpu_time",
-                                           "load",   "cores",      "limit_means"};
+    const std::set<std::string> passing = {
+        "time", "setup_time", "optimization_time", "memory",    "attempt", "cpu_time",
+        "load", "cores",      "limit_means",       "bound_time"};
     const std::vector<std::string> heading = rows.at(0);
     for (auto &row : rows)
         for (std::size_t i = heading.size(); i-- > 0;)

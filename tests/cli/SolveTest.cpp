@@ -83,6 +83,11 @@ TEST(Solve, everyFileAgreesWithTheJson)
     EXPECT_EQ(json.at("robots"), 10);
     EXPECT_EQ(json.at("completed"), 1.0);
     EXPECT_EQ(json.at("path_length_lower_bound"), 44);
+    EXPECT_EQ(json.at("path_length_bound_name"), "distances");
+    EXPECT_EQ(json.at("sum_of_costs_lower_bound"), 44);
+    EXPECT_GE(json.at("cpu_time").get<double>(), 0);
+    for (const char *name : {"timed", "time_min", "time_max", "time_iqr", "bound_time"})
+        EXPECT_TRUE(json.contains(name)) << name;
     EXPECT_GE(json.at("time").get<double>(), 0);
     EXPECT_GT(json.at("memory").get<double>(), 0);
     EXPECT_LE(json.at("optimized_path_length"), json.at("path_length"));

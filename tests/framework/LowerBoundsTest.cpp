@@ -1,4 +1,5 @@
 #include "framework/analysis/LowerBounds.h"
+#include "framework/Problem.h"
 #include "framework/analysis/BreadthFirstSearch.h"
 #include "tests/support/RandomCases.h"
 
@@ -155,6 +156,88 @@ TEST(LowerBounds, TakeTheDistancesOfAllRobotsTogether)
         EXPECT_EQ(bounds->pathLength, sum);
         EXPECT_EQ(bounds->makespan, largest);
     }
+}
+
+Instance gridInstance(std::size_t side, std::size_t robots, Seed seed)
+{
+    return randomInstance(test::gridGraph(side, side), robots, seed);
+}
+
+TEST(LowerBounds, AreTheSameForFewRobotsAndForMany)
+{
+    for (Seed seed = 0; seed < 30; ++seed)
+    {
+        Random random(seed);
+        const std::size_t vertices = 40 + random.below(100);
+        const auto graph = test::randomConnectedGraph(vertices, random.below(vertices), seed);
+        const Instance instance = randomInstance(graph, vertices / 2, seed);
+        LowerBounds expected;
+        BreadthFirstSearch search(*graph);
+        for (Robot r = 0; r < instance.robotCount(); ++r)
+        {
+            search.run(instance.starts[r]);
+            expected.pathLength += search.distance(instance.goals[r]);
+            expected.makespan =
+                std::max<std::uint64_t>(expected.makespan, search.distance(instance.goals[r]));
+        }
+        const auto bounds = lowerBounds(instance);
+        ASSERT_TRUE(bounds);
+        EXPECT_EQ(bounds->means, BoundMeans::distances);
+        EXPECT_EQ(bounds->pathLength, expected.pathLength);
+        EXPECT_EQ(bounds->makespan, expected.makespan);
+    }
+}
+
+TEST(LowerBounds, ComeFromLandmarksWhereDistancesWouldNeedTooManyVisits)
+{
+    const Instance instance = gridInstance(60, 400, 3);
+    const auto exact = lowerBounds(instance);
+    const auto bounds = lowerBounds(instance, {}, 1000);
+    ASSERT_TRUE(exact && bounds);
+    EXPECT_EQ(bounds->means, BoundMeans::landmarks);
+    EXPECT_STREQ(toString(bounds->means), "landmarks");
+    EXPECT_LE(bounds->pathLength, exact->pathLength);
+    EXPECT_GE(bounds->pathLength, exact->pathLength * 9 / 10);
+    EXPECT_LE(bounds->makespan, exact->makespan);
+}
+
+TEST(LowerBounds, CountThoseWhoAreNotAtHomeWhereThereIsNoTime)
+{
+    const Instance instance{test::gridGraph(4, 3), {0, 5, 3}, {11, 6, 3}};
+    const auto bounds = lowerBounds(instance, {.stop = TerminationCondition::after(0)});
+    ASSERT_TRUE(bounds);
+    EXPECT_EQ(bounds->means, BoundMeans::displaced);
+    EXPECT_EQ(bounds->pathLength, 2U);
+    EXPECT_EQ(bounds->makespan, 1U);
+}
+
+TEST(LowerBounds, AreBoundsHoweverEarlyTheyAreStopped)
+{
+    const Instance instance = gridInstance(30, 200, 5);
+    const auto exact = lowerBounds(instance);
+    for (std::size_t looks = 1; looks < 240; looks += 7)
+    {
+        std::size_t left = looks;
+        const auto stop = TerminationCondition::when([&left] { return left == 0 || --left == 0; });
+        const auto bounds = lowerBounds(instance, {.stop = stop});
+        ASSERT_TRUE(bounds);
+        EXPECT_LE(bounds->pathLength, exact->pathLength);
+        EXPECT_LE(bounds->makespan, exact->makespan);
+        EXPECT_GE(bounds->makespan, 1U);
+    }
+}
+
+TEST(LowerBounds, TellTheListenerHowManyRobotsAreDone)
+{
+    std::size_t most = 0;
+    const auto listener = [&most](std::string_view work, std::size_t done, std::size_t total)
+    {
+        EXPECT_EQ(work, "lower bounds");
+        EXPECT_EQ(total, 200U);
+        most = std::max(most, done);
+    };
+    (void)lowerBounds(gridInstance(30, 200, 5), {.listener = listener});
+    EXPECT_EQ(most, 199U);
 }
 
 } // namespace

@@ -226,17 +226,6 @@ RC_GTEST_PROP(MovingAiScenario, ComesBackAsItWasWritten, (Seed seed))
     RC_ASSERT(again.goals == goals);
 }
 
-TEST(OctileDistance, CutsNoCorners)
-{
-    const GridMap map = parse("type octile\nheight 3\nwidth 3\nmap\n.@.\n...\n@.@\n");
-    EXPECT_DOUBLE_EQ(octileDistance(map, map.vertexAt(0, 0), map.vertexAt(1, 1)), 2);
-    EXPECT_DOUBLE_EQ(octileDistance(map, map.vertexAt(0, 0), map.vertexAt(2, 0)), 4);
-    const GridMap open = parse("type octile\nheight 3\nwidth 3\nmap\n...\n...\n..@\n");
-    EXPECT_DOUBLE_EQ(octileDistance(open, open.vertexAt(0, 0), open.vertexAt(2, 1)), 1 + std::sqrt(2.0));
-    const GridMap split = parse("type octile\nheight 1\nwidth 3\nmap\n.@.\n");
-    EXPECT_LT(octileDistance(split, 0, 1), 0);
-}
-
 // The benchmark's own files, against the table that describes them
 
 /// The rows of the tables in README.md whose first cell ends in `extension`, cells trimmed.
