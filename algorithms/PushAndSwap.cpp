@@ -1,6 +1,6 @@
 #include "algorithms/PushAndSwap.h"
 
-#include "framework/analysis/BreadthFirstSearch.h"
+#include "algorithms/pebble/Priorities.h"
 
 #include <algorithm>
 #include <numeric>
@@ -16,18 +16,13 @@ namespace
 class Attempt
 {
 public:
+    /// \param unswappable nonzero where a robot cannot be swapped: those that have arrived are walls to it
     Attempt(const Instance &instance, PebbleBoard board, PathFinder &paths, std::vector<Robot> order,
-            PathFinder::Cost swapPrice, const TerminationCondition &ptc)
-        : instance_(instance), paths_(paths), order_(std::move(order)), ptc_(ptc), board_(std::move(board)),
-          operations_(board_, ptc), arrived_(instance.robotCount(), 0)
-    {
-        const Graph &graph = *instance.graph;
-        bool hasJunction = false;
-        for (Vertex v = 0; v < graph.vertexCount() && !hasJunction; ++v)
-            hasJunction = graph.degree(v) >= 3;
-        // On a path or a polygon nobody can be swapped: robots that have arrived can only be gone around.
-        arrivedPrice_ = hasJunction ? PathFinder::kStep * (1 + swapPrice) : PathFinder::kImpassable;
-    }
+            PathFinder::Cost swapPrice, const std::vector<char> &unswappable, const TerminationCondition &ptc)
+        : instance_(instance), paths_(paths), order_(std::move(order)), unswappable_(unswappable), ptc_(ptc),
+          board_(std::move(board)), operations_(board_, ptc), swapPrice_(PathFinder::kStep * (1 + swapPrice)),
+          arrived_(instance.robotCount(), 0)
+    {}
 
     PlannerStatus run()
     {
@@ -80,13 +75,14 @@ private:
     /// Brings r to its goal.
     bool travel(Robot r)
     {
-        const auto enterCost = [this](Vertex v) -> PathFinder::Cost
+        const PathFinder::Cost arrivedPrice = unswappable_[r] != 0 ? PathFinder::kImpassable : swapPrice_;
+        const auto enterCost = [&](Vertex v) -> PathFinder::Cost
         {
             const Robot other = board_.occupant(v);
             if (other == kNoRobot)
                 return PathFinder::kStep;
             // A robot that still has to go somewhere is pushed for about one move, which is worth no detour.
-            return arrived_[other] == 0 ? PathFinder::kStep + 1 : arrivedPrice_;
+            return arrived_[other] == 0 ? PathFinder::kStep + 1 : arrivedPrice;
         };
         while (!atGoal(r))
         {
@@ -191,10 +187,11 @@ private:
     const Instance &instance_;
     PathFinder &paths_;
     std::vector<Robot> order_;
+    const std::vector<char> &unswappable_;
     const TerminationCondition &ptc_;
     PebbleBoard board_;
     PebbleOperations operations_;
-    PathFinder::Cost arrivedPrice_ = 0;
+    PathFinder::Cost swapPrice_;   ///< of a vertex on which a robot stands that has arrived
     std::vector<char> arrived_;    ///< nonzero once a robot was brought to its goal; size = robots
     std::vector<Robot> displaced_; ///< arrived, then swapped off their goals; a stack
     std::vector<Robot> urgent_;    ///< to be planned before the others; a stack
@@ -204,24 +201,6 @@ private:
     Robot lastBlocker_ = kNoRobot;
     std::string reason_;
 };
-
-/// The vertex from which nothing is very far: of those with three neighbours or more, the one with the least
-/// eccentricity that the landmarks see; any vertex where there is none.
-Vertex center(const Graph &graph, const Landmarks &landmarks)
-{
-    Vertex best = 0;
-    std::pair<bool, std::uint32_t> bestKey(true, static_cast<std::uint32_t>(-1));
-    for (Vertex v = 0; v < graph.vertexCount(); ++v)
-    {
-        const std::pair<bool, std::uint32_t> key(graph.degree(v) < 3, landmarks.eccentricity(v));
-        if (key < bestKey)
-        {
-            best = v;
-            bestKey = key;
-        }
-    }
-    return best;
-}
 
 } // namespace
 
@@ -247,27 +226,16 @@ void PushAndSwap::clear()
     Planner::clear();
     landmarks_.reset();
     farFirst_.clear();
+    unswappable_.clear();
 }
 
 void PushAndSwap::setup()
 {
     landmarks_ = std::make_unique<Landmarks>(graph(), setupCondition());
-    if (!setupCondition()())
-        farFirst_ = farFirst();
-}
-
-std::vector<Robot> PushAndSwap::farFirst() const
-{
-    std::vector<Robot> order(instance().robotCount());
-    std::iota(order.begin(), order.end(), 0);
-    if (order.empty())
-        return order;
-    BreadthFirstSearch search(graph());
-    search.run(center(graph(), *landmarks_));
-    std::stable_sort(order.begin(), order.end(),
-                     [&](Robot a, Robot b)
-                     { return search.distance(instance().goals[a]) > search.distance(instance().goals[b]); });
-    return order;
+    if (setupCondition()())
+        return;
+    farFirst_ = farFirst(instance(), *landmarks_);
+    unswappable_ = unswappable(instance());
 }
 
 std::vector<Robot> PushAndSwap::priorities(std::uint64_t attempt, std::int64_t retry) const
@@ -295,7 +263,7 @@ RestartingPlanner::Outcome PushAndSwap::attempt(std::uint64_t number, const Term
         if (ptc())
             return {PlannerStatus::timeout, {}, {}};
         Attempt attempt(instance(), std::move(board), paths, std::move(order),
-                        static_cast<PathFinder::Cost>(swapPrice_), ptc);
+                        static_cast<PathFinder::Cost>(swapPrice_), unswappable_, ptc);
         const PlannerStatus status = attempt.run();
         if (status == PlannerStatus::solved)
             return {status, {}, attempt.takeSolution()};

@@ -45,14 +45,14 @@ public:
 
 private:
     Outcome attempt(std::uint64_t number, const TerminationCondition &ptc) const override;
-    std::vector<Robot> farFirst() const;
     std::vector<Robot> priorities(std::uint64_t attempt, std::int64_t retry) const;
 
     std::string order_ = "far_first";
     std::int64_t attempts_ = 20;
     std::int64_t swapPrice_ = 10;
     std::unique_ptr<Landmarks> landmarks_;
-    std::vector<Robot> farFirst_; ///< the first order
+    std::vector<Robot> farFirst_;   ///< the first order
+    std::vector<char> unswappable_; ///< of robots
 };
 
 } // namespace mrpp

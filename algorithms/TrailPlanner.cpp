@@ -1,6 +1,7 @@
 #include "algorithms/TrailPlanner.h"
 
 #include "algorithms/optimizers/RedundancyRemoval.h"
+#include "algorithms/pebble/PebbleOperations.h"
 
 #include <algorithm>
 #include <numeric>
@@ -34,13 +35,14 @@ TrailPlanner::Preparation::Preparation(const Instance &instance, MotionRule rule
     : landmarks(std::move(landmarksOfGraph)), blocks(std::move(blocksOfGraph)),
       subgraphs(*instance.graph, blocks, rule, instance.starts),
       assignment(subgraphs.assignment(instance.starts)), priorities(subgraphs, instance, assignment),
-      farFirst(mrpp::farFirst(instance, landmarks)),
+      unswappable(mrpp::unswappable(instance)), farFirst(mrpp::farFirst(instance, landmarks)),
       confining(BlockRoute::isWorthwhile(blocks) ? &blocks : nullptr)
 {
     const Components components(*instance.graph);
-    const auto shapes = componentShapes(*instance.graph, components);
+    std::vector<char> counted(components.count(), 0);
     for (const Vertex start : instance.starts)
-        unswappable.push_back(shapes[components.of(start)] == ComponentShape::branching ? 0 : 1);
+        if (const std::uint32_t c = components.of(start); std::exchange(counted[c], 1) == 0)
+            vertices += components.size(c);
     if (!ptc() && !isObviouslySolvable(instance, components))
         verdict = solvability(instance, rule, ptc).value_or(Solvability{});
 }
@@ -168,7 +170,7 @@ RestartingPlanner::Outcome TrailPlanner::searchNearby(Random &random, const Term
     constexpr std::size_t kMostRuns = 8;
     constexpr std::size_t kVertices = 512; ///< over all runs
     const std::size_t runs =
-        std::clamp<std::size_t>(kVertices / std::max<std::size_t>(1, graph().vertexCount()), 1, kMostRuns);
+        std::clamp<std::size_t>(kVertices / std::max<std::size_t>(1, prepared_->vertices), 1, kMostRuns);
     Choices choices = randomChoices(random);
     choices.settings.mostMoves = mostMoves_;
     Choices tried = choices;

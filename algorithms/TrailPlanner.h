@@ -55,6 +55,7 @@ protected:
         std::vector<char> unswappable; ///< nonzero for robots on a path or a polygon
         std::vector<Robot> farFirst;   ///< an order of all robots
         const Blocks *confining;       ///< the blocks where paths are looked for in them, else null
+        std::size_t vertices = 0;      ///< of the components with robots
         Solvability verdict;
     };
 

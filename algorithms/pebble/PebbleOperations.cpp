@@ -1,9 +1,21 @@
 #include "algorithms/pebble/PebbleOperations.h"
 
+#include "framework/analysis/Components.h"
+
 #include <algorithm>
 
 namespace mrpp
 {
+
+std::vector<char> unswappable(const Instance &instance)
+{
+    const Components components(*instance.graph);
+    const auto shapes = componentShapes(*instance.graph, components);
+    std::vector<char> robots;
+    for (const Vertex start : instance.starts)
+        robots.push_back(shapes[components.of(start)] == ComponentShape::branching ? 0 : 1);
+    return robots;
+}
 
 PebbleOperations::PebbleOperations(PebbleBoard &board, const TerminationCondition &ptc)
     : board_(board), graph_(board.graph()), ptc_(ptc), freeSearch_(graph_.vertexCount(), &ptc),

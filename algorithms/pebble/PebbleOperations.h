@@ -23,6 +23,10 @@
 namespace mrpp
 {
 
+/// Nonzero for the robots that no swap can help, as they live on a path or a polygon; size = robots. O(V +
+/// E).
+[[nodiscard]] std::vector<char> unswappable(const Instance &instance);
+
 class PebbleOperations
 {
 public:

@@ -1,7 +1,5 @@
 #include "algorithms/pebble/Priorities.h"
 
-#include "framework/analysis/Components.h"
-
 #include <algorithm>
 #include <functional>
 #include <numeric>
@@ -10,36 +8,12 @@
 namespace mrpp
 {
 
-namespace
-{
-
-/// The middle of each component.
-std::vector<Vertex> centers(const Graph &graph, const Components &components, const Landmarks &landmarks)
-{
-    using Key = std::pair<bool, std::uint32_t>;
-    std::vector<Vertex> best(components.count(), kNoVertex);
-    std::vector<Key> bestKeys(components.count());
-    for (Vertex v = 0; v < graph.vertexCount(); ++v)
-    {
-        const Key key(graph.degree(v) < 3, landmarks.eccentricity(v));
-        const std::uint32_t c = components.of(v);
-        if (best[c] == kNoVertex || key < bestKeys[c])
-        {
-            best[c] = v;
-            bestKeys[c] = key;
-        }
-    }
-    return best;
-}
-
-} // namespace
-
 std::vector<Robot> farFirst(const Instance &instance, const Landmarks &landmarks)
 {
     const Graph &graph = *instance.graph;
     constexpr std::uint32_t kUnseen = static_cast<std::uint32_t>(-1);
     std::vector<std::uint32_t> depths(graph.vertexCount(), kUnseen);
-    std::vector<Vertex> queue = centers(graph, Components(graph), landmarks);
+    std::vector<Vertex> queue(landmarks.centers().begin(), landmarks.centers().end());
     queue.reserve(graph.vertexCount());
     for (const Vertex v : queue)
         depths[v] = 0;

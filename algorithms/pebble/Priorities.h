@@ -16,9 +16,8 @@
 namespace mrpp
 {
 
-/// The robots ordered by how far their goals are from the middle of their component (the vertex of degree
-/// three or more with the least eccentricity that the landmarks see), the farthest first: nobody who comes
-/// later has to pass there. O(V + E + robots · log robots).
+/// The robots ordered by how far their goals are from the middle of their component (see Landmarks), the
+/// farthest first: nobody who comes later has to pass there. O(V + E + robots · log robots).
 [[nodiscard]] std::vector<Robot> farFirst(const Instance &instance, const Landmarks &landmarks);
 
 /// Which subgraph's robots have to be at home before which other's: those whose goals lie behind the goals of

@@ -1,22 +1,30 @@
 #pragma once
 /// \file
-/// Cheapest paths between two vertices where entering a vertex has a small whole-number price: A* with
-/// landmark bounds and a bucket queue. Run many times on one graph; a search costs what it visits.
+/// Short paths between two vertices where entering a vertex has a small whole-number price: A* with landmark
+/// bounds. Run many times on one graph; a search costs what it visits.
 ///
-/// Where many vertices are dear, cheapest paths cost more than the bounds can know, and A* floods an area in
-/// place of a corridor. Searches that visit many more vertices than their paths have therefore weigh the
-/// bounds, as little as keeps them near the path (weighted A*: a path costs at most that weight times the
-/// cheapest; I. Pohl, "Heuristic search viewed as path finding in a graph", Artificial Intelligence 1, 1970).
-/// The weight is learnt from search to search. Graphs of up to kFewVisits vertices never see it.
+/// Where robots stand in the way, cheapest paths cost more than the bounds can know, and A* floods an area in
+/// place of a corridor. A search that visits many more vertices than its path has therefore weighs the bounds
+/// (weighted A*): the path costs at most weight() times the cheapest. The weight begins at 1 in every search
+/// and is learnt from that search's own effort: each time the visits double, what it has above 1 doubles.
+/// Nothing is carried over to the next search, and a search that is nearly done without a weight gets none.
+///
+/// Keys may fall, so that the open vertices are in a heap. No vertex is visited twice: the bounds are
+/// consistent, and then the promise holds without opening vertices again (Likhachev et al.). It also holds
+/// when the weight grows during the search, as every vertex was reached within the smaller weight.
+///
+/// Sources: I. Pohl, "Heuristic search viewed as path finding in a graph", Artificial Intelligence 1, 1970
+/// (the weight); M. Likhachev, G. Gordon, S. Thrun, "ARA*: anytime A* with provable bounds on
+/// sub-optimality", NIPS 2003 (no vertex twice).
 
 #include "framework/analysis/Landmarks.h"
 #include "framework/support/TerminationCondition.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
+#include <cmath>
 #include <cstdint>
-#include <limits>
+#include <functional>
 #include <vector>
 
 namespace mrpp
@@ -33,157 +41,181 @@ public:
     /// enterCost's way to say that a vertex cannot be entered.
     static constexpr Cost kImpassable = static_cast<Cost>(-1);
 
+    /// A search weighs the bounds once it has visited kFewVisits vertices, and kVisitsPerStep for each step
+    /// that the path has at least.
+    static constexpr std::size_t kFewVisits = 256;
+    static constexpr std::size_t kVisitsPerStep = 2;
+    /// What it learns at most.
+    static constexpr double kMostWeight = 2;
+
     /// Keeps references to both.
     PathFinder(const Graph &graph, const Landmarks &landmarks)
         : graph_(graph), landmarks_(landmarks), labels_(graph.vertexCount())
     {}
 
-    /// A search that visits more vertices than this, and kVisitsPerStep for each step that the path has at
-    /// least, weighs the bounds.
-    static constexpr std::size_t kFewVisits = 4096;
-    static constexpr std::size_t kVisitsPerStep = 8;
+    /// From now on every search has this weight, and none learns its own. \pre 1 or more; rounded down to a
+    /// multiple of 1/128
+    void fixWeight(double weight)
+    {
+        assert(weight >= 1);
+        isFixed_ = true;
+        weight_ = static_cast<Cost>(std::floor(weight * kOne));
+    }
 
-    /// The cheapest path from `from` to `to`, both included, or on large graphs one of at most twice its
-    /// cost; empty where there is none, or where the termination condition says stop. Valid until the next
-    /// call.
+    /// Of the last search: its path costs at most so many times the cheapest.
+    [[nodiscard]] double weight() const { return static_cast<double>(weight_) / kOne; }
+    /// Vertices whose neighbours the last search looked at.
+    [[nodiscard]] std::size_t visits() const { return visits_; }
+
+    /// A path from `from` to `to`, both included, that costs at most weight() times the cheapest; empty where
+    /// there is none, or where the termination condition says stop. Valid until the next call. Each vertex is
+    /// visited once at most.
     /// \param enterCost a function of a vertex: kStep … kMaxEnterCost, or kImpassable; the start's is not
     /// asked
     template <class EnterCost>
     const std::vector<Vertex> &find(Vertex from, Vertex to, const EnterCost &enterCost,
                                     const TerminationCondition &ptc = {})
     {
-        constexpr int kTries = 4;
-        const std::size_t enough = kFewVisits + kVisitsPerStep * landmarks_.lowerBound(from, to);
-        bool done = false;
-        for (int tries = 1; !done; ++tries)
-        {
-            const bool last = tries == kTries || weight_ == kMostWeight;
-            done = search(from, to, enterCost, last ? std::numeric_limits<std::size_t>::max() : enough, ptc);
-            weight_ += done ? 0 : 1;
-        }
-        if (4 * visits_ < enough && weight_ > kNoWeight)
-            --weight_;
-        return path_;
-    }
-
-private:
-    /// Makes path_. False where it came to nothing after so many visits.
-    template <class EnterCost>
-    bool search(Vertex from, Vertex to, const EnterCost &enterCost, std::size_t mostVisits,
-                const TerminationCondition &ptc)
-    {
         constexpr std::size_t kPollInterval = 4096;
         begin();
-        path_.clear();
-        reach(from, kNoVertex, 0, weighed(from, to));
-        while (const auto open = pop())
+        const std::uint32_t least = landmarks_.lowerBound(from, to);
+        std::size_t enough = kFewVisits + kVisitsPerStep * least;
+        reach(from, kNoVertex, 0, least);
+        for (Vertex v = pop(); v != kNoVertex; v = pop())
         {
-            const auto [v, cost] = *open;
-            if (cost != labels_[v].cost)
-                continue;
             if (v == to)
             {
-                for (Vertex u = to; u != kNoVertex; u = labels_[u].parent)
-                    path_.push_back(u);
-                std::reverse(path_.begin(), path_.end());
+                tracePath(to);
                 break;
             }
             if (++visits_ % kPollInterval == 0 && ptc())
                 break;
-            if (visits_ > mostVisits)
-                return false;
+            if (visits_ > enough)
+            {
+                enough *= 2;
+                growWeight();
+            }
+            const Cost cost = labels_[v].cost;
             for (const Vertex w : graph_.neighbors(v))
             {
+                if (labels_[w].stamp == closed())
+                    continue;
                 const Cost price = enterCost(w);
                 if (price == kImpassable)
                     continue;
                 assert(price >= kStep && price <= kMaxEnterCost);
-                const Cost newCost = cost + price;
-                // Keys never fall: weights make the bounds inconsistent.
-                if (labels_[w].stamp != stamp_ || newCost < labels_[w].cost)
-                    reach(w, v, newCost, std::max(key_, newCost + weighed(w, to)));
+                if (labels_[w].stamp != open())
+                    reach(w, v, cost + price, landmarks_.lowerBound(w, to));
+                else if (cost + price < labels_[w].cost)
+                    reach(w, v, cost + price, labels_[w].least);
             }
         }
-        return true;
+        return path_;
     }
 
-    [[nodiscard]] Cost weighed(Vertex v, Vertex to) const
-    {
-        return kStep * landmarks_.lowerBound(v, to) * weight_ / kNoWeight;
-    }
-
-    struct Open
-    {
-        Vertex vertex = kNoVertex;
-        Cost cost = 0;
-        explicit operator bool() const { return vertex != kNoVertex; }
-        const Open &operator*() const { return *this; }
-    };
+private:
+    /// Weights are multiples of 1 / kOne.
+    static constexpr Cost kOne = 128;
 
     /// What a search knows of a vertex; together in memory, for large graphs.
     struct Label
     {
         Cost cost = 0;
         Vertex parent = kNoVertex;
-        std::uint32_t stamp = 0; ///< of the search that reached it last
+        std::uint32_t least = 0; ///< steps to the goal
+        std::uint32_t stamp = 0; ///< open() or closed() of the search that reached it last
     };
 
-    /// Weights are multiples of 1 / kNoWeight.
-    static constexpr Cost kNoWeight = 32;
-    static constexpr Cost kMostWeight = 2 * kNoWeight;
+    /// An open vertex, perhaps not for the first time: the first that comes out of the heap counts.
+    struct Open
+    {
+        std::uint64_t order = 0; ///< the key, then the latest first
+        Vertex vertex = kNoVertex;
 
-    /// Keys grow by at most kMaxEnterCost and a weighed step from a vertex to its neighbour, so that a ring
-    /// of buckets does.
-    static constexpr std::size_t kBuckets = 256;
-    static_assert(kBuckets > kMaxEnterCost + kStep * kMostWeight / kNoWeight + 1);
+        friend bool operator>(const Open &a, const Open &b) { return a.order > b.order; }
+    };
+
+    [[nodiscard]] std::uint32_t open() const { return stamp_; }
+    [[nodiscard]] std::uint32_t closed() const { return stamp_ + 1; }
 
     void begin()
     {
-        for (auto &bucket : buckets_)
-            bucket.clear();
-        open_ = 0;
+        path_.clear();
+        heap_.clear();
         visits_ = 0;
-        started_ = false;
-        if (++stamp_ == 0)
+        reached_ = 0;
+        if (!isFixed_)
+            weight_ = kOne;
+        stamp_ += 2;
+        if (stamp_ == 0)
         {
             std::fill(labels_.begin(), labels_.end(), Label{});
-            stamp_ = 1;
+            stamp_ = 2;
         }
     }
 
-    void reach(Vertex v, Vertex parent, Cost cost, Cost key)
+    void reach(Vertex v, Vertex parent, Cost cost, std::uint32_t least)
     {
-        labels_[v] = {cost, parent, stamp_};
-        if (!started_)
-            key_ = key;
-        started_ = true;
-        buckets_[key % kBuckets].push_back({v, cost});
-        ++open_;
+        labels_[v] = {cost, parent, least, open()};
+        heap_.push_back({order(labels_[v], ++reached_), v});
+        std::push_heap(heap_.begin(), heap_.end(), std::greater<>());
     }
 
-    Open pop()
+    /// Closes the open vertex with the smallest key; kNoVertex where there is none.
+    Vertex pop()
     {
-        if (open_ == 0)
-            return {};
-        while (buckets_[key_ % kBuckets].empty())
-            ++key_;
-        const Open last = buckets_[key_ % kBuckets].back();
-        buckets_[key_ % kBuckets].pop_back();
-        --open_;
-        return last;
+        while (!heap_.empty())
+        {
+            const Vertex v = heap_.front().vertex;
+            std::pop_heap(heap_.begin(), heap_.end(), std::greater<>());
+            heap_.pop_back();
+            if (labels_[v].stamp == closed())
+                continue;
+            labels_[v].stamp = closed();
+            return v;
+        }
+        return kNoVertex;
+    }
+
+    static constexpr unsigned kReachedBits = 20; ///< of an order; more only mix up equal keys
+
+    [[nodiscard]] std::uint64_t order(const Label &label, std::uint64_t reached) const
+    {
+        const std::uint64_t key =
+            std::uint64_t{kOne} * label.cost + std::uint64_t{weight_} * kStep * label.least;
+        return (key << kReachedBits) | (~reached & ((1U << kReachedBits) - 1));
+    }
+
+    /// 1, 1 + 1/kOne, 1 + 2/kOne, 1 + 4/kOne … kMostWeight.
+    void growWeight()
+    {
+        constexpr auto kMost = static_cast<Cost>(kMostWeight * kOne);
+        if (isFixed_ || weight_ >= kMost)
+            return;
+        weight_ = std::min(kMost, weight_ + std::max<Cost>(1, weight_ - kOne));
+        std::erase_if(heap_, [this](const Open &entry) { return labels_[entry.vertex].stamp == closed(); });
+        for (Open &entry : heap_)
+            entry.order = order(labels_[entry.vertex], ~entry.order);
+        std::make_heap(heap_.begin(), heap_.end(), std::greater<>());
+    }
+
+    void tracePath(Vertex to)
+    {
+        for (Vertex v = to; v != kNoVertex; v = labels_[v].parent)
+            path_.push_back(v);
+        std::reverse(path_.begin(), path_.end());
     }
 
     const Graph &graph_;
     const Landmarks &landmarks_;
     std::vector<Label> labels_; ///< size = vertices
-    std::uint32_t stamp_ = 0;
-    std::array<std::vector<Open>, kBuckets> buckets_;
-    std::size_t open_ = 0;
-    std::size_t visits_ = 0;  ///< of the last search
-    Cost weight_ = kNoWeight; ///< of the next one
-    Cost key_ = 0;
-    bool started_ = false;
+    std::vector<Open> heap_;
     std::vector<Vertex> path_;
+    std::uint32_t stamp_ = 0;
+    std::uint64_t reached_ = 0; ///< how often the last search reached a vertex
+    std::size_t visits_ = 0;    ///< of the last search
+    Cost weight_ = kOne;        ///< of the last search, or of all
+    bool isFixed_ = false;
 };
 
 } // namespace mrpp
