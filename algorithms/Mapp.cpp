@@ -40,6 +40,7 @@ Mapp::Mapp()
                        "Tractability and Completeness Guarantees, JAIR 42 (2011) 55-90",
            .motion = MotionRule::pebble,
            .completeFor = "instances whose robots are all SLIDABLE; of any instance, those that are arrive",
+           .version = 2, // 2: paths within their weights, landmarks of components
            .provesInfeasibility = false})
 {
     declareParam("target_isolation", targetIsolation_, "ordered,strict",

@@ -12,6 +12,7 @@ PushAndRotate::PushAndRotate()
            .motion = MotionRule::pebble,
            .completeFor = "every instance with two free vertices or more in each component in which a robot "
                           "has to move",
+           .version = 2, // 2: paths within their weights, landmarks of components
            .provesInfeasibility = true,
            .complete = true})
 {}

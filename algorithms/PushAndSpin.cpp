@@ -12,6 +12,7 @@ PushAndSpin::PushAndSpin()
            .motion = MotionRule::rotation,
            .completeFor = "with rotations: every instance with a free vertex in each component in which a "
                           "robot has to move, polygons aside",
+           .version = 2, // 2: paths within their weights, landmarks of components
            .provesInfeasibility = true,
            .complete = true})
 {}

@@ -211,6 +211,7 @@ PushAndSwap::PushAndSwap()
                "Guarantees, IJCAI 2011, pp. 294-300",
            .motion = MotionRule::pebble,
            .completeFor = "not complete; made for connected graphs with at least two free vertices",
+           .version = 2, // 2: paths within their weights, landmarks of components
            .provesInfeasibility = false})
 {
     declareParam("order", order_, "far_first,given,random",

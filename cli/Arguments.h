@@ -136,7 +136,7 @@ struct ConvertArguments
     std::optional<std::filesystem::path> graph;
     std::optional<std::filesystem::path> instance; ///< of a solution
     std::optional<std::string> format;             ///< of `out`; by its extension where not given
-    std::string passability = "movingai"; ///< which symbols of a map robots may stand on
+    std::string passability = "movingai";          ///< which symbols of a map robots may stand on
 };
 
 struct GenerateArguments

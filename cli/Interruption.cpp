@@ -49,7 +49,7 @@ Interruption::Interruption(std::optional<Milliseconds> patience, std::function<v
 Interruption::~Interruption()
 {
     listener_.request_stop();
-    ::pthread_kill(listener_.native_handle(), SIGTERM); // it need not wait any longer
+    ::pthread_kill(listener_.native_handle(), SIGINT); // it need not wait any longer
     listener_.join();
     const sigset_t signals = interruptions();
     ::pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);

@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// Ctrl-C, SIGTERM and SIGHUP (the terminal is gone) as a stop token: the first asks for a clean end, the second
-/// ends the process.
+/// Ctrl-C, SIGTERM and SIGHUP (the terminal is gone) as a stop token: the first asks for a clean end, the
+/// second ends the process.
 
 #include <atomic>
 #include <chrono>
@@ -13,9 +13,9 @@
 namespace mrpp
 {
 
-/// While it lives, these signals of this process go to a thread of its own. Make it before any other thread, so
-/// that all inherit its mask, in which SIGCONT is blocked, too (see PauseWatch). What `nohup` ignores stays
-/// ignored.
+/// While it lives, these signals of this process go to a thread of its own. Make it before any other thread,
+/// so that all inherit its mask, in which SIGCONT is blocked, too (see PauseWatch). What `nohup` ignores
+/// stays ignored.
 class Interruption
 {
 public:

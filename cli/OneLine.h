@@ -2,18 +2,22 @@
 /// \file
 /// Names and messages on a terminal.
 
+#include "framework/support/ReadableText.h"
+
 #include <algorithm>
 #include <string>
 
 namespace mrpp
 {
 
-/// The text with a blank for every control character, so that no name can end the line or steer a terminal.
-[[nodiscard]] inline std::string oneLine(std::string text)
+/// readable(), with a blank for every line break and tab, so that no name can end the line or steer a
+/// terminal.
+[[nodiscard]] inline std::string oneLine(const std::string &text)
 {
+    std::string line = readable(text);
     std::replace_if(
-        text.begin(), text.end(), [](unsigned char c) { return c < 0x20 || c == 0x7F; }, ' ');
-    return text;
+        line.begin(), line.end(), [](char c) { return c == '\n' || c == '\t'; }, ' ');
+    return line;
 }
 
 } // namespace mrpp

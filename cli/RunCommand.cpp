@@ -7,6 +7,7 @@
 #include "cli/ProgressLine.h"
 #include "cli/Reporting.h"
 #include "framework/Benchmark.h"
+#include "framework/campaign/InputWatch.h"
 #include "framework/campaign/PlannerFactory.h"
 #include "framework/campaign/ResultStore.h"
 #include "framework/campaign/Shards.h"
@@ -68,10 +69,9 @@ ExitCode dryRun(const BenchmarkPlan &plan, const std::filesystem::path &folder, 
     const std::vector<RunSpec> specs = expand(plan, MissingInput::tolerate);
     std::set<std::filesystem::path> missing;
     std::error_code error;
-    for (const ProblemPoint &point : plan.points)
-        for (const std::filesystem::path &file : point.problem->inputFiles())
-            if (!std::filesystem::exists(file, error))
-                missing.insert(file);
+    for (const std::filesystem::path &file : inputFilesOf(plan))
+        if (!std::filesystem::exists(file, error))
+            missing.insert(file);
     for (const std::filesystem::path &file : missing)
         std::cerr << "note: " << file.string() << " is not there yet; --maps says where to look for it\n";
     noteMissingPrograms(plan);
@@ -100,14 +100,29 @@ ExitCode dryRun(const BenchmarkPlan &plan, const std::filesystem::path &folder, 
     return ExitCode::done;
 }
 
+/// missingRuns(), with the plan's places in what is wrong with its input.
+std::vector<MissingRun> missingRunsOf(const BenchmarkPlan &plan, const ResultStore *store,
+                                      const Catalog &catalog)
+{
+    try
+    {
+        return missingRuns(plan, store);
+    }
+    catch (const PointError &error)
+    {
+        throw placed(error, plan, catalog);
+    }
+}
+
 /// The runs that are left, and why each is.
-ExitCode sayWhy(const BenchmarkPlan &plan, const RunArguments &arguments, const std::filesystem::path &folder)
+ExitCode sayWhy(const BenchmarkPlan &plan, const RunArguments &arguments, const std::filesystem::path &folder,
+                const Catalog &catalog)
 {
     std::error_code error;
     std::optional<ResultStore> store;
     if (std::filesystem::exists(folder / "results.sqlite", error))
         store.emplace(folder, ResultStore::Access::read);
-    std::vector<MissingRun> missing = missingRuns(plan, store ? &*store : nullptr);
+    std::vector<MissingRun> missing = missingRunsOf(plan, store ? &*store : nullptr, catalog);
     std::erase_if(missing, [&](const MissingRun &run)
                   { return shardOf(plan, run.spec, arguments.shards) != arguments.shard; });
     for (const MissingRun &run : missing)
@@ -187,7 +202,8 @@ ExitCode sayDefects(const Benchmark::Summary &summary)
     const std::size_t crashed = count(PlannerStatus::crash);
     const std::size_t wrong = count(PlannerStatus::invalid);
     if (crashed > 0)
-        std::cerr << counted(crashed, "run") << " crashed: see the column reason of the runs with status crash\n";
+        std::cerr << counted(crashed, "run")
+                  << " crashed: see the column reason of the runs with status crash\n";
     if (wrong > 0)
         std::cerr << "a planner claimed solutions that are wrong: see the runs with status invalid\n";
     return crashed + wrong > 0 ? ExitCode::defect : ExitCode::done;
@@ -211,7 +227,18 @@ Benchmark::Summary runCampaign(Benchmark &benchmark, const RunArguments &argumen
     request.onFinished = [&kept](const RunSpec &spec, const RunResult &result) { kept.write(spec, result); };
     request.progress = [&line](const RunRecord &record, std::size_t done, std::size_t total,
                                double secondsLeft) { line.update(record.status, done, total, secondsLeft); };
-    return benchmark.benchmark(request, interruption.token());
+    Benchmark::Summary summary;
+    try
+    {
+        summary = benchmark.benchmark(request, interruption.token());
+    }
+    catch (const PointError &error)
+    {
+        throw placed(error, benchmark.plan(), catalog);
+    }
+    if (!summary.interrupted)
+        kept.followNames();
+    return summary;
 }
 
 } // namespace
@@ -224,7 +251,7 @@ ExitCode run(const RunArguments &arguments, Catalog &catalog)
     if (arguments.dryRun)
         return dryRun(plan, folder, catalog);
     if (arguments.why)
-        return sayWhy(plan, arguments, folder);
+        return sayWhy(plan, arguments, folder, catalog);
 
     const std::string caveats = warnings(arguments.jobs.value_or(plan.execution.jobs));
     Benchmark benchmark(std::move(plan), catalog);

@@ -51,8 +51,9 @@ std::string withoutPatterns(const std::string &name)
 
 std::string jobName(const std::string &campaign)
 {
-    const bool isPlain = std::all_of(campaign.begin(), campaign.end(), [](unsigned char c)
-                                     { return std::isalnum(c) != 0 || c == '-' || c == '_' || c == '.'; });
+    const bool isPlain =
+        std::all_of(campaign.begin(), campaign.end(),
+                    [](unsigned char c) { return std::isalnum(c) != 0 || c == '-' || c == '_' || c == '.'; });
     return isPlain ? campaign : forSlurm(campaign);
 }
 

@@ -1,6 +1,7 @@
 #include "cli/Commands.h"
 #include "cli/Interruption.h"
 #include "cli/WorkLine.h"
+#include "framework/campaign/ReadableRecord.h"
 #include "framework/campaign/RunPlanner.h"
 #include "framework/evaluation/Condense.h"
 #include "framework/support/Config.h"
@@ -142,17 +143,18 @@ ExitCode solve(const SolveArguments &arguments, const Catalog &catalog)
     RunSettings settings;
     settings.limits = {arguments.timeLimit, arguments.memoryLimit};
     settings.motion = *motionRule(arguments.motion);
+    settings.until = TerminationCondition::after(arguments.timeLimit + preparationTime(arguments.timeLimit));
     const PreparedInstance prepared =
         prepare(instance, preparationTime(arguments.timeLimit),
                 {TerminationCondition::when(interruption.token()), line.listener()});
     line.clear();
-    settings.until = TerminationCondition::after(arguments.timeLimit);
     RunResult result = runPlanner(*planner, prepared, optimizers, settings, interruption.token());
     if (interruption.happened())
     {
         std::cerr << "interrupted; nothing was written\n";
         return ExitCode::interrupted;
     }
+    makeReadable(result.record);
     result.record.planner = arguments.planner;
     say(result.record);
     writeFiles(files, arguments, result, *instance, settings.motion);

@@ -4,6 +4,7 @@
 #include "cli/OneLine.h"
 #include "cli/Plugins.h"
 #include "cli/SearchPaths.h"
+#include "cli/StandardOutput.h"
 #include "framework/Catalog.h"
 #include "framework/support/Error.h"
 #include "problems/Problems.h"
@@ -90,5 +91,6 @@ int main(int count, char **words)
     std::signal(SIGPIPE, SIG_IGN); // gnuplot and pagers may go away; writes then fail and say so
     std::signal(SIGXFSZ, SIG_IGN); // so do those beyond the limit of a file's size
     mrpp::makeSearchPathsAbsolute();
-    return static_cast<int>(mrpp::dispatch(count, words));
+    mrpp::StandardOutput output;
+    return static_cast<int>(output.finish(mrpp::dispatch(count, words)));
 }

@@ -2,15 +2,17 @@
 
 #include "framework/campaign/InProcessExecutor.h"
 #include "framework/campaign/InputWatch.h"
+#include "framework/campaign/PointError.h"
 #include "framework/campaign/Provenance.h"
+#include "framework/campaign/ReadableRecord.h"
 #include "framework/campaign/ResultStore.h"
 #include "framework/campaign/ResultWriter.h"
 #include "framework/campaign/RunQueue.h"
 #include "framework/campaign/Shards.h"
 #include "framework/campaign/WorkerExecutor.h"
 #include "framework/support/Cores.h"
-#include "framework/support/HarnessError.h"
 #include "framework/support/File.h"
+#include "framework/support/HarnessError.h"
 #include "framework/support/Random.h"
 #include "framework/support/TemporaryFolder.h"
 
@@ -50,6 +52,18 @@ void checkRequest(const Benchmark::Request &request, std::int64_t jobs)
                          ": a shard i/n needs 1 ≤ i ≤ n");
 }
 
+void checkInstance(const Problem &problem, const std::shared_ptr<const Graph> &graph, Seed seed)
+{
+    try
+    {
+        (void)makeInstance(problem, graph, seed);
+    }
+    catch (const DoesNotFit &)
+    {
+        // What chance does not give is recorded in its runs. check() has refused files that do not fit.
+    }
+}
+
 /// Everything that can be wrong with the plan's input, found before the first run.
 void checkInputs(const BenchmarkPlan &plan, const std::vector<RunSpec> &runs)
 {
@@ -63,19 +77,19 @@ void checkInputs(const BenchmarkPlan &plan, const std::vector<RunSpec> &runs)
     {
         if (!checked.insert(run.point).second)
             continue;
-        const Problem &problem = *plan.points[run.point].problem;
-        problem.check();
-        std::string key = graphKey(plan, run);
-        if (key != lastKey)
-            graph = problem.makeGraph(run.graphSeed);
-        lastKey = std::move(key);
+        const ProblemPoint &point = plan.points[run.point];
         try
         {
-            (void)makeInstance(problem, graph, run.instanceSeed);
+            point.problem->check();
+            std::string key = graphKey(plan, run);
+            if (key != lastKey)
+                graph = point.problem->makeGraph(run.graphSeed);
+            lastKey = std::move(key);
+            checkInstance(*point.problem, graph, run.instanceSeed);
         }
-        catch (const DoesNotFit &)
+        catch (const InputError &error)
         {
-            // What chance does not give is recorded in its runs. check() has refused files that do not fit.
+            throw PointError(error, plan, run.point);
         }
     }
 }
@@ -176,6 +190,7 @@ private:
 
     void finish(const RunSpec &run, RunResult result)
     {
+        makeReadable(result.record);
         {
             const std::lock_guard lock(events_);
             if (postRun_ && result.instance)

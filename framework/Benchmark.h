@@ -79,10 +79,10 @@ public:
     /// them. The results do not depend on the number of jobs, on interruptions or on what the folder holds
     /// from an older version of the plan (times and memory aside); runs that are no longer in the plan stay
     /// in the store. Throws InputError before anything is written, and FileError where the folder cannot be
-    /// used (or another process is running a campaign in it), and HarnessError where a run's surroundings failed
-    /// or an input file changed meanwhile: that run stays open. A run whose processes stood still for a while
-    /// (stopped and continued, the machine asleep) is begun again. What an event throws ends the campaign and is
-    /// thrown again here.
+    /// used (or another process is running a campaign in it), and HarnessError where a run's surroundings
+    /// failed or an input file changed meanwhile: that run stays open. A run whose processes stood still for
+    /// a while (stopped and continued, the machine asleep) is begun again. What an event throws ends the
+    /// campaign and is thrown again here.
     Summary benchmark(const Request &request, const std::stop_token &stop);
 
 private:

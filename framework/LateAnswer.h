@@ -5,8 +5,8 @@
 namespace mrpp
 {
 
-/// What a planner is, too, whose answer still has to be read when solve() is over: outside of the run's time and
-/// limits.
+/// What a planner is, too, whose answer still has to be read when solve() is over: outside of the run's time
+/// and limits.
 class LateAnswer
 {
 public:
@@ -15,8 +15,8 @@ public:
     LateAnswer(const LateAnswer &) = delete;
     LateAnswer &operator=(const LateAnswer &) = delete;
 
-    /// Called once after solve(), where that said `solved`. Returns what it is after all; the planner's solution()
-    /// and reason() hold it then.
+    /// Called once after solve(), where that said `solved`. Returns what it is after all; the planner's
+    /// solution() and reason() hold it then.
     virtual PlannerStatus collect() = 0;
 };
 

@@ -1,6 +1,7 @@
 #include "framework/Problem.h"
 
 #include "framework/analysis/Components.h"
+#include "framework/support/CanonicalSettings.h"
 #include "framework/support/Error.h"
 #include "framework/support/Suggestion.h"
 
@@ -114,7 +115,7 @@ void Problem::configure(const Config &settings, const ProblemContext &context)
     {
         throw PlanError(settings.where(), "a problem takes a map of settings");
     }
-    identity_ = Config::map(std::move(own)).canonical();
+    identity_ = canonicalSettings(Config::map(std::move(own)), parameters_);
 }
 
 std::string Problem::defaults() const

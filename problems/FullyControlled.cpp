@@ -43,8 +43,10 @@ std::vector<std::filesystem::path> FullyControlled::inputFiles() const
 {
     if (!graph_.empty())
         return {graph_, instance_};
-    if (const auto graph = graphFileOf(instance_))
-        return {*graph, instance_};
+    std::error_code error;
+    if (std::filesystem::exists(instance_, error))
+        if (const auto graph = graphFileOf(instance_))
+            return {*graph, instance_};
     return {instance_};
 }
 

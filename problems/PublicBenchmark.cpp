@@ -34,17 +34,30 @@ void PublicBenchmark::configure(const Config &settings, const ProblemContext &co
     scenario_ = context.resolve(scenario_);
 }
 
-GridMap PublicBenchmark::load() const
+namespace
+{
+
+void requireFile(const std::filesystem::path &file, const std::string &what)
 {
     std::error_code error;
-    if (!std::filesystem::exists(map_, error))
-        throw FileError({map_.string()}, "there is no such map; its owner publishes the maps at "
-                                         "https://movingai.com/benchmarks (mrppsim downloads nothing)");
+    if (!std::filesystem::exists(file, error))
+        throw FileError({file.string()}, "there is no such " + what +
+                                             "; maps and scenarios are published by their owner at "
+                                             "https://movingai.com/benchmarks/ (mrppsim downloads nothing)");
+}
+
+} // namespace
+
+GridMap PublicBenchmark::load() const
+{
+    requireFile(map_, "map");
     return readMovingAiMap(map_, passability(passability_));
 }
 
 void PublicBenchmark::check() const
 {
+    if (!scenario_.empty())
+        requireFile(scenario_, "scenario");
     const auto graph = load().graph;
     const std::size_t robots = robotCount(*graph);
     // Whether a random instance can be drawn that is solvable or well-formed is a matter of its seed.

@@ -94,7 +94,7 @@ std::map<std::string, KeyParts> plannersOf(const BenchmarkPlan &plan)
 {
     std::map<std::string, KeyParts> planners;
     for (const Configured &planner : plan.planners)
-        planners[planner.name] = plannerParts(planner);
+        planners[planner.name] = plannerParts(planner, {}); // the files of then are not known
     return planners;
 }
 

@@ -97,8 +97,10 @@ std::optional<SuccessFinding> compareSuccess(const CaseTable &cases, std::size_t
                                              SuccessFinding::Kind kind)
 {
     const bool proofs = kind == SuccessFinding::Kind::proved;
-    const auto concerns = [proofs](const Answer &answer)
-    { return answer.isFinished() && (proofs ? answer.unsolvable() : answer.counts()); };
+    const auto concerns = [proofs](const Answer &answer) {
+        return answer.isFinished() && answer.outcome() != Outcome::doesNotApply &&
+               answer.unsolvable() == proofs;
+    };
     const auto answered = [proofs](const Answer &answer)
     { return proofs ? answer.outcome() == Outcome::proved : answer.solved(); };
     SuccessFinding finding;

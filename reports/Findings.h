@@ -45,7 +45,7 @@ struct SuccessFinding
     enum class Kind
     {
         solved, ///< instances that have a solution under both motion rules and to which both apply
-        proved, ///< instances that have none under both: who proved it
+        proved, ///< those that have none under both and to which both apply: who proved it
     };
     Kind kind = Kind::solved;
     std::string first;

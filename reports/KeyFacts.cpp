@@ -59,7 +59,7 @@ struct Answered
     std::size_t solved = 0;
     std::size_t counted = 0; ///< that it could have solved: see Answer::counts()
     std::size_t proved = 0;
-    std::size_t unsolvable = 0;
+    std::size_t unsolvable = 0; ///< and to which it applies
 };
 
 Answered answeredBy(std::size_t planner, const CaseTable &finished)
@@ -71,7 +71,7 @@ Answered answeredBy(std::size_t planner, const CaseTable &finished)
         answered.solved += answer.solved() ? 1 : 0;
         answered.counted += answer.counts() ? 1 : 0;
         answered.proved += answer.outcome() == Outcome::proved ? 1 : 0;
-        answered.unsolvable += answer.unsolvable() ? 1 : 0;
+        answered.unsolvable += answer.unsolvable() && answer.outcome() != Outcome::doesNotApply ? 1 : 0;
     }
     return answered;
 }

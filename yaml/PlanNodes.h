@@ -23,6 +23,23 @@ void checkKeys(const Config &map, const std::string &owner, const std::vector<st
 
 [[nodiscard]] std::int64_t integerOf(const Config::Entry &entry, std::int64_t low, std::int64_t high);
 
+/// The name of something in tables and figures: textOf() in one line.
+[[nodiscard]] const std::string &nameOf(const Config::Entry &entry);
+
+/// Blanks for line breaks and tabs: for names that are made of values.
+[[nodiscard]] std::string inOneLine(std::string text);
+
+/// "60 s", "1.5h": seconds, above 0; or 0 as well.
+enum class Zero
+{
+    refused,
+    allowed,
+};
+[[nodiscard]] double durationOf(const Config::Entry &entry, Zero zero = Zero::refused);
+
+/// "4 GiB": MB (10^6 bytes), above 0. \param examples for the message otherwise
+[[nodiscard]] double sizeOf(const Config::Entry &entry, const std::string &examples);
+
 /// The items of a list that must not be empty.
 [[nodiscard]] const std::vector<Config> &itemsOf(const Config::Entry &entry, const std::string &what);
 

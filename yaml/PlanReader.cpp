@@ -32,37 +32,6 @@ bool boolOf(const Config::Entry &entry)
     throw PlanError(entry.value.where(), "'" + entry.key + "' takes true or false, but is '" + text + "'");
 }
 
-using Unit = std::pair<std::string_view, double>;
-constexpr std::array<Unit, 4> kTimeUnits = {{{"ms", 1e-3}, {"s", 1}, {"min", 60}, {"h", 3600}}};
-constexpr std::array<Unit, 7> kMemoryUnits = {{{"kB", 1e-3},
-                                               {"MB", 1},
-                                               {"GB", 1e3},
-                                               {"TB", 1e6},
-                                               {"KiB", 1024e-6},
-                                               {"MiB", 1.048576},
-                                               {"GiB", 1073.741824}}};
-
-/// "60 s", "1.5h", "4 GiB".
-double quantityOf(const Config::Entry &entry, std::span<const Unit> units, const std::string &examples)
-{
-    const std::string_view text = textOf(entry);
-    const std::size_t unitAt = std::min(text.find_last_of("0123456789.") + 1, text.size());
-    std::string_view unit = text.substr(unitAt);
-    unit.remove_prefix(std::min(unit.find_first_not_of(' '), unit.size()));
-    const auto number = parseNumber(text.substr(0, unitAt));
-    const auto known =
-        std::find_if(units.begin(), units.end(), [unit](const Unit &u) { return u.first == unit; });
-    if (!number || known == units.end())
-        throw PlanError(entry.value.where(), "'" + entry.key + "' takes a number and a unit, as in " +
-                                                 examples + ", but is '" + std::string(text) + "'");
-    constexpr double kMost = 1e9;
-    const double value = *number * known->second;
-    if (!(value > 0) || value > kMost)
-        throw PlanError(entry.value.where(), "'" + entry.key + "' is '" + std::string(text) +
-                                                 "', which is no sensible limit; take one as in " + examples);
-    return value;
-}
-
 Limits readLimits(const Config::Entry &entry)
 {
     Limits limits;
@@ -70,11 +39,11 @@ Limits readLimits(const Config::Entry &entry)
     checkKeys(entry.value, "limits", {"time", "cpu", "memory"});
     for (const Config::Entry &limit : entry.value.entries())
         if (limit.key == "time")
-            limits.time = quantityOf(limit, kTimeUnits, "500 ms, 60 s, 5 min, 1 h");
+            limits.time = durationOf(limit);
         else if (limit.key == "cpu")
-            limits.cpu = quantityOf(limit, kTimeUnits, "500 ms, 60 s, 5 min, 1 h");
+            limits.cpu = durationOf(limit);
         else
-            limits.memory = quantityOf(limit, kMemoryUnits, "500 MB, 4 GiB");
+            limits.memory = sizeOf(limit, "500 MB, 4 GiB");
     return limits;
 }
 
@@ -126,7 +95,7 @@ ExplorerChoice readExplorer(const Config::Entry &entry)
     {
         if (setting.key == "size")
         {
-            explorer.size = quantityOf(setting, kMemoryUnits, "500 kB, 10 MB");
+            explorer.size = sizeOf(setting, "500 kB, 10 MB");
             continue;
         }
         explorer.solutions = textOf(setting);
@@ -237,6 +206,14 @@ std::string readCampaign(const Config &root, const std::filesystem::path &file)
     return stem;
 }
 
+/// Files are looked for beside the plan, then in its folders of maps.
+ProblemContext contextOf(const BenchmarkPlan &plan, const Catalog &catalog)
+{
+    ProblemContext context{&catalog, {plan.file.parent_path()}};
+    context.searchPaths.insert(context.searchPaths.end(), plan.mapFolders.begin(), plan.mapFolders.end());
+    return context;
+}
+
 } // namespace
 
 BenchmarkPlan parsePlan(const std::string &text, const std::filesystem::path &file, Catalog &catalog,
@@ -257,11 +234,9 @@ BenchmarkPlan parsePlan(const std::string &text, const std::filesystem::path &fi
                 plan.mapFolders.push_back(folder);
         else if (entry.key == "plugins")
             loadPlugins(entry, file.parent_path(), catalog);
-    ProblemContext context{&catalog, {file.parent_path()}};
-    context.searchPaths.insert(context.searchPaths.end(), plan.mapFolders.begin(), plan.mapFolders.end());
-
     plan.text = text;
     plan.file = file;
+    const ProblemContext context = contextOf(plan, catalog);
     plan.campaign = readCampaign(root, file);
     plan.reports = catalog.reports.names();
     for (const Config::Entry &entry : root.entries())
@@ -302,6 +277,19 @@ BenchmarkPlan parsePlan(const std::string &text, const std::filesystem::path &fi
             readReports(entry, catalog, plan);
     resolve(plan, catalog);
     return plan;
+}
+
+PlanError placed(const PointError &error, const BenchmarkPlan &plan, const Catalog &catalog)
+{
+    const Config root = parseYaml(plan.text, plan.file.string());
+    std::vector<PointPlaces> places;
+    (void)readProblems(root.find("problems")->items(), contextOf(plan, catalog), &places);
+    const PointPlaces &own = places.at(error.point());
+    const auto setting = own.find(error.setting());
+    const SourceLocation &where = setting == own.end() ? own.at("") : setting->second;
+    if (error.isInFile())
+        return {error.where(), error.complaint() + " (" + error.problem() + ", " + where.toString() + ")"};
+    return {where, error.complaint()};
 }
 
 BenchmarkPlan readPlan(const std::filesystem::path &file, Catalog &catalog,

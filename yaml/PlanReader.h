@@ -4,6 +4,7 @@
 
 #include "framework/Catalog.h"
 #include "framework/campaign/BenchmarkPlan.h"
+#include "framework/campaign/PointError.h"
 
 #include <filesystem>
 #include <string>
@@ -22,5 +23,9 @@ namespace mrpp
 [[nodiscard]] BenchmarkPlan parsePlan(const std::string &text, const std::filesystem::path &file,
                                       Catalog &catalog,
                                       const std::vector<std::filesystem::path> &searchPaths = {});
+
+/// What is wrong with a problem's input, at the place of the setting that leads to it. An error in a line of
+/// a file stays there and names the problem and its place. \param plan as it was read
+[[nodiscard]] PlanError placed(const PointError &error, const BenchmarkPlan &plan, const Catalog &catalog);
 
 } // namespace mrpp

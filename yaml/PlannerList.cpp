@@ -52,7 +52,7 @@ std::vector<Choice> choicesOf(const Config::Entry &entry)
                 longer.push_back(choice);
                 longer.back().settings.push_back({setting.key, setting.where, value});
                 if (values.size() > 1)
-                    longer.back().label += " " + setting.key + "=" + value.text();
+                    longer.back().label += " " + setting.key + "=" + inOneLine(value.text());
             }
         choices = std::move(longer);
     }
@@ -100,7 +100,7 @@ std::vector<Configured> readRegistered(const Config &node, const std::string &ro
                 where = entry.value.where();
             }
             else if (entry.key == "name")
-                configured.name = textOf(entry);
+                configured.name = nameOf(entry);
             else
                 settings = &entry;
         if (configured.kind.empty())
@@ -188,9 +188,37 @@ std::map<int, PlannerStatus> readExitCodes(const Config::Entry &entry)
         if (!status || std::find(sensible.begin(), sensible.end(), *status) == sensible.end())
             throw PlanError(code.value.where(), "an exit code cannot mean '" + code.value.text() + "'" +
                                                     suggestion(code.value.text(), words));
-        codes[static_cast<int>(*number)] = *status;
+        if (!codes.emplace(static_cast<int>(*number), *status).second)
+            throw PlanError(code.where, "the exit code " + std::to_string(*number) +
+                                            " stands here a second time; keep one of the two");
     }
     return codes;
+}
+
+/// A file, or a list of files.
+std::vector<std::string> readFiles(const Config::Entry &entry)
+{
+    if (!entry.value.isList())
+        return {textOf(entry)};
+    std::vector<std::string> files;
+    for (const Config &item : itemsOf(entry, "files that the command depends on"))
+    {
+        if (!item.isScalar() || item.text().empty())
+            throw PlanError(item.where(), "'files' takes paths of files");
+        if (std::find(files.begin(), files.end(), item.text()) != files.end())
+            throw PlanError(item.where(), "'" + item.text() + "' stands twice in the list");
+        files.push_back(item.text());
+    }
+    return files;
+}
+
+/// What looks like a place and is none would reach the program as it stands.
+void refuseDoubtfulPlaces(const OutsideCommand &command, const std::vector<std::string> &known)
+{
+    for (const std::string &braced : doubtfulPlacesIn(command.words))
+        throw PlanError(command.where, "there is no place {" + braced + "}" +
+                                           suggestion(asPlaceName(braced), known) +
+                                           "; the text itself is written {{" + braced + "}}");
 }
 
 /// Every place is known and filled, every setting has a place, and the program is told its instance.
@@ -211,11 +239,14 @@ void checkPlaces(const OutsideCommand &command, const Config::Entry *settings)
                                                    suggestion(setting.key, places));
             known.push_back(setting.key);
         }
+    refuseDoubtfulPlaces(command, known);
     for (const std::string &place : places)
         if (!isIn(known, place))
             throw PlanError(command.where, "nothing fills the place {" + place + "}" +
                                                suggestion(place, known) +
-                                               " (values of your own stand under 'set')");
+                                               " (values of your own stand under 'set'; the text itself is "
+                                               "written {{" +
+                                               place + "}})");
     if (!isIn(places, "instance") && !isIn(places, "scen"))
         throw PlanError(command.where,
                         "the command is not told its instance: it has neither {instance} nor {scen}");
@@ -265,6 +296,17 @@ std::vector<Configured> readCommand(const Config &node, const Catalog &catalog,
             value = command.graphFormat = formatNamed(entry, catalog, Use::graph);
         else if (entry.key == "instance_format")
             value = command.instanceFormat = formatNamed(entry, catalog, Use::instance);
+        else if (entry.key == "files")
+        {
+            command.files = readFiles(entry);
+            for (const std::string &file : command.files)
+                value += (value.empty() ? "" : "\n") + file;
+        }
+        else if (entry.key == "margin")
+        {
+            command.margin = durationOf(entry, Zero::allowed);
+            value = formatNumber(*command.margin);
+        }
         else if (entry.key == "motion")
         {
             const std::vector<std::string> rules = {"pebble", "parallel", "following", "rotation"};
@@ -276,7 +318,7 @@ std::vector<Configured> readCommand(const Config &node, const Catalog &catalog,
         }
         else
         {
-            configured.name = textOf(entry);
+            configured.name = nameOf(entry);
             continue;
         }
         configured.settings.emplace_back(entry.key, value);

@@ -91,7 +91,8 @@ private:
 
 } // namespace
 
-std::vector<ProblemPoint> readProblems(const std::vector<Config> &entries, const ProblemContext &context)
+std::vector<ProblemPoint> readProblems(const std::vector<Config> &entries, const ProblemContext &context,
+                                       std::vector<PointPlaces> *places)
 {
     std::vector<ProblemPoint> all;
     Names names;
@@ -106,8 +107,8 @@ std::vector<ProblemPoint> readProblems(const std::vector<Config> &entries, const
         if (context.catalog->problems.find(family) == nullptr)
             throw PlanError(where, "there is no problem '" + family + "'" +
                                        suggestion(family, context.catalog->problems.names()));
-        auto points = expandProblem(family, where,
-                                    entry.isScalar() ? Config() : entry.entries().front().value, context);
+        auto points = expandProblem(
+            family, where, entry.isScalar() ? Config() : entry.entries().front().value, context, places);
         names.settle(points, where);
         if (all.size() + points.size() > kMaximalPoints)
             throw PlanError(where,

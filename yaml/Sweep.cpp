@@ -1,10 +1,12 @@
 #include "yaml/Sweep.h"
 
+#include "framework/support/CanonicalSettings.h"
 #include "framework/support/Suggestion.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <functional>
 #include <limits>
 #include <map>
 #include <set>
@@ -51,6 +53,7 @@ struct Group
     const Axis *axis = nullptr; ///< null where nothing is swept
     std::string name;
     std::vector<ProblemPoint> points;
+    std::vector<PointPlaces> places = {}; ///< of each point, where they are asked for
 };
 
 /// 0.1 + 2 · 0.1 is 0.3: the digits that the plan's numbers can mean, and no more.
@@ -112,13 +115,16 @@ bool isNumber(const Config &node)
     return node.isScalar() && parseNumber(node.text()).has_value();
 }
 
+/// Of a problem's settings: keys whose values are texts, also where they look like numbers.
+using IsText = std::function<bool(const std::string &key)>;
+
 bool isNumberList(const Config &node)
 {
     return node.isList() && std::all_of(node.items().begin(), node.items().end(), isNumber);
 }
 
 /// A list's values; throws where it is empty or has one twice.
-const std::vector<Config> &listValues(const Config &list)
+const std::vector<Config> &listValues(const Config &list, bool texts = false)
 {
     if (list.items().empty())
         throw PlanError(list.where(), "an empty list sweeps nothing; give one value or more");
@@ -129,7 +135,7 @@ const std::vector<Config> &listValues(const Config &list)
             throw PlanError(item.where(), "an empty value in a list; give a value or leave it out");
         if (item.isList())
             throw PlanError(item.where(), "a list inside a list; give its values in one list");
-        if (!seen.insert(item.canonical()).second)
+        if (!seen.insert(texts && item.isScalar() ? item.text() : item.canonical()).second)
             throw PlanError(item.where(), (item.isScalar() ? "'" + item.text() + "'" : std::string("this")) +
                                               " stands twice in the list");
     }
@@ -137,16 +143,21 @@ const std::vector<Config> &listValues(const Config &list)
 }
 
 /// The first list of texts or maps, depth first, if there is one; any list at the root.
-std::optional<Path> findTextList(const Config &node, bool isRoot)
+std::optional<Path> findTextList(const Config &node, bool isRoot, const IsText &isText)
 {
     if (node.isList() && (isRoot || !isNumberList(node)))
         return Path{};
     for (std::size_t i = 0; node.isMap() && i < node.entries().size(); ++i)
-        if (auto path = findTextList(node.entries()[i].value, false))
+    {
+        const Config::Entry &entry = node.entries()[i];
+        if (entry.value.isList() && isText && isText(entry.key))
+            return Path{i};
+        if (auto path = findTextList(entry.value, false, {}))
         {
             path->insert(path->begin(), i);
             return path;
         }
+    }
     return std::nullopt;
 }
 
@@ -163,9 +174,9 @@ std::string keyAt(const Config &root, const Path &path)
 }
 
 /// Resolves every list of texts or maps.
-void expandTexts(Alternative alternative, std::vector<Alternative> &result)
+void expandTexts(Alternative alternative, const IsText &isText, std::vector<Alternative> &result)
 {
-    const auto path = findTextList(alternative.tree, true);
+    const auto path = findTextList(alternative.tree, true, isText);
     if (!path)
     {
         if (result.size() >= kMaximalPoints)
@@ -175,13 +186,13 @@ void expandTexts(Alternative alternative, std::vector<Alternative> &result)
     }
     const Config list = at(alternative.tree, *path);
     const std::string key = keyAt(alternative.tree, *path);
-    for (const Config &item : listValues(list))
+    for (const Config &item : listValues(list, path->size() == 1 && isText(key)))
     {
         Alternative next = alternative;
         at(next.tree, *path) = item;
         if (item.isScalar() && !key.empty())
             next.choices.emplace_back(key, item.text());
-        expandTexts(std::move(next), result);
+        expandTexts(std::move(next), isText, result);
     }
 }
 
@@ -301,16 +312,26 @@ ProblemPoint makePoint(const std::string &family, const Config &settings, const 
     ProblemPoint point;
     point.model = family;
     point.name = problem->name();
-    point.settings = settings.canonical();
+    point.settings = canonicalSettings(settings, problem->parameters());
     point.problem = std::move(problem);
     return point;
 }
 
-void makePoints(Group &group, const std::string &family, const ProblemContext &context)
+PointPlaces placesOf(const Config &settings)
+{
+    PointPlaces places = {{"", settings.where()}};
+    for (const Config::Entry &entry : settings.entries())
+        places.emplace(entry.key, entry.value.where());
+    return places;
+}
+
+void makePoints(Group &group, const std::string &family, const ProblemContext &context, bool withPlaces)
 {
     if (group.axis == nullptr)
     {
         group.points.push_back(makePoint(family, group.tree, context));
+        if (withPlaces)
+            group.places.push_back(placesOf(group.tree));
         return;
     }
     for (const Config &value : group.axis->values)
@@ -321,6 +342,8 @@ void makePoints(Group &group, const std::string &family, const ProblemContext &c
         point.sweepVariable = group.axis->key;
         point.sweepValue = value.number();
         group.points.push_back(std::move(point));
+        if (withPlaces)
+            group.places.push_back(placesOf(group.tree));
     }
 }
 
@@ -405,12 +428,16 @@ std::vector<Config> rangeValues(const Config &range)
 }
 
 std::vector<ProblemPoint> expandProblem(const std::string &family, const SourceLocation &where,
-                                        const Config &settings, const ProblemContext &context)
+                                        const Config &settings, const ProblemContext &context,
+                                        std::vector<PointPlaces> *places)
 {
     const auto prototype = context.catalog->problems.create(family);
     Alternative whole{settings.kind() == Config::Kind::empty ? Config::map({}, where) : settings, {}};
     std::vector<Alternative> alternatives;
-    expandTexts(std::move(whole), alternatives);
+    expandTexts(
+        std::move(whole),
+        [&prototype](const std::string &key) { return takesText(prototype->parameters(), key); },
+        alternatives);
 
     std::vector<std::vector<Axis>> axes(alternatives.size());
     std::vector<Group> groups;
@@ -429,10 +456,14 @@ std::vector<ProblemPoint> expandProblem(const std::string &family, const SourceL
 
     std::vector<ProblemPoint> result;
     for (Group &group : groups)
-        makePoints(group, family, context);
+        makePoints(group, family, context, places != nullptr);
     nameGroups(groups);
     for (Group &group : groups)
+    {
         std::move(group.points.begin(), group.points.end(), std::back_inserter(result));
+        if (places != nullptr)
+            places->insert(places->end(), group.places.begin(), group.places.end());
+    }
     return result;
 }
 

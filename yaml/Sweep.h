@@ -15,6 +15,7 @@
 #include "framework/campaign/BenchmarkPlan.h"
 #include "framework/support/Config.h"
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,9 @@ inline constexpr std::size_t kMaximalPoints = 1'000'000;
 /// kMaximalPoints.
 [[nodiscard]] std::vector<Config> rangeValues(const Config &range);
 
+/// Where a plan says a problem point: the problem (under ""), and each of its settings by its key.
+using PointPlaces = std::map<std::string, SourceLocation>;
+
 /// All points of one entry of a plan's `problems`: a family's name and its settings.
 ///
 /// Which sweep is the x axis: `x` or the first swept parameter of the graph where the family varies graphs,
@@ -40,8 +44,10 @@ inline constexpr std::size_t kMaximalPoints = 1'000'000;
 /// configured problem's, with what all names along the axis share, and with `key=value` of the other sweeps
 /// where that alone tells two problems apart.
 /// \param context its catalog must outlive the points
+/// \param places where it is not null, it gets the places of each point
 /// Throws PlanError.
 [[nodiscard]] std::vector<ProblemPoint> expandProblem(const std::string &family, const SourceLocation &where,
-                                                      const Config &settings, const ProblemContext &context);
+                                                      const Config &settings, const ProblemContext &context,
+                                                      std::vector<PointPlaces> *places = nullptr);
 
 } // namespace mrpp

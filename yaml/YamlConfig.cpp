@@ -1,5 +1,7 @@
 #include "yaml/YamlConfig.h"
 
+#include "framework/support/ReadableText.h"
+
 #include <algorithm>
 #include <cctype>
 #include <optional>
@@ -88,6 +90,7 @@ public:
         refuseAnchor(mark, anchor);
         refuseTag(mark, tag);
         const bool plain = tag != "!";
+        refuseControls(mark, value);
         if (expectsKey())
         {
             addKey(value, where(mark));
@@ -191,43 +194,26 @@ private:
             throw PlanError(where(mark), "tags (" + tag + ") are not taken in a plan; leave it out");
     }
 
+    /// What "\0", "\e" and "\uD800" put into a text: no name, path or word of a command can hold it.
+    void refuseControls(const YAML::Mark &mark, std::string_view text) const
+    {
+        while (!text.empty())
+        {
+            const std::size_t length = sequenceLength(text);
+            if (length == 0)
+                throw PlanError(where(mark), "this text holds what is no character; write it without");
+            if (text.front() != '\r' && isControl(text, length))
+                throw PlanError(where(mark), "this text holds a control character (" +
+                                                 readable(text.substr(0, length)) + "); write it without");
+            text.remove_prefix(length);
+        }
+    }
+
     std::string file_;
     bool hasDocument_ = false;
     std::vector<Frame> open_;
     Config root_;
 };
-
-/// Length of the well-formed UTF-8 sequence (Unicode 15, table 3-7) at the front of the text, or 0.
-std::size_t sequenceLength(std::string_view text)
-{
-    const auto byte = [text](std::size_t i) -> unsigned
-    { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U; };
-    const auto continues = [byte](std::size_t from, std::size_t to)
-    {
-        for (std::size_t i = from; i <= to; ++i)
-            if ((byte(i) & 0xC0U) != 0x80U)
-                return false;
-        return true;
-    };
-    const unsigned first = byte(0);
-    const unsigned second = byte(1);
-    if (first < 0x80)
-        return 1;
-    if (first >= 0xC2 && first <= 0xDF)
-        return continues(1, 1) ? 2 : 0;
-    if (first >= 0xE0 && first <= 0xEF)
-    {
-        const bool overlong = first == 0xE0 && second < 0xA0;
-        const bool surrogate = first == 0xED && second >= 0xA0;
-        return continues(1, 2) && !overlong && !surrogate ? 3 : 0;
-    }
-    if (first >= 0xF0 && first <= 0xF4)
-    {
-        const bool outside = (first == 0xF0 && second < 0x90) || (first == 0xF4 && second >= 0x90);
-        return continues(1, 3) && !outside ? 4 : 0;
-    }
-    return 0;
-}
 
 /// Throws at the first byte that no plan may hold: broken UTF-8, control characters, tabs that indent.
 void checkCharacters(std::string_view text, const std::string &file)

@@ -9,7 +9,8 @@
 /// and is learnt from that search's own effort: each time the visits double, what it has above 1 doubles.
 /// Nothing is carried over to the next search, and a search that is nearly done without a weight gets none.
 ///
-/// Keys may fall, so that the open vertices are in a heap. No vertex is visited twice: the bounds are
+/// Keys of weight 1 are whole numbers that never fall, and the open vertices are in buckets; those of other
+/// weights may fall, and they are in a heap then. No vertex is visited twice: the bounds are
 /// consistent, and then the promise holds without opening vertices again (Likhachev et al.). It also holds
 /// when the weight grows during the search, as every vertex was reached within the smaller weight.
 ///
@@ -17,6 +18,7 @@
 /// (the weight); M. Likhachev, G. Gordon, S. Thrun, "ARA*: anytime A* with provable bounds on
 /// sub-optimality", NIPS 2003 (no vertex twice).
 
+#include "algorithms/search/BucketQueue.h"
 #include "framework/analysis/Landmarks.h"
 #include "framework/support/TerminationCondition.h"
 
@@ -77,8 +79,8 @@ public:
                                     const TerminationCondition &ptc = {})
     {
         constexpr std::size_t kPollInterval = 4096;
-        begin();
         const std::uint32_t least = landmarks_.lowerBound(from, to);
+        begin(kStep * least);
         std::size_t enough = kFewVisits + kVisitsPerStep * least;
         reach(from, kNoVertex, 0, least);
         for (Vertex v = pop(); v != kNoVertex; v = pop())
@@ -116,6 +118,7 @@ public:
 private:
     /// Weights are multiples of 1 / kOne.
     static constexpr Cost kOne = 128;
+    static_assert(BucketQueue::kBuckets > kMaxEnterCost + kStep);
 
     /// What a search knows of a vertex; together in memory, for large graphs.
     struct Label
@@ -138,10 +141,11 @@ private:
     [[nodiscard]] std::uint32_t open() const { return stamp_; }
     [[nodiscard]] std::uint32_t closed() const { return stamp_ + 1; }
 
-    void begin()
+    void begin(Cost key)
     {
         path_.clear();
         heap_.clear();
+        buckets_.begin(key);
         visits_ = 0;
         reached_ = 0;
         if (!isFixed_)
@@ -157,6 +161,8 @@ private:
     void reach(Vertex v, Vertex parent, Cost cost, std::uint32_t least)
     {
         labels_[v] = {cost, parent, least, open()};
+        if (weight_ == kOne)
+            return buckets_.push(cost + kStep * least, v);
         heap_.push_back({order(labels_[v], ++reached_), v});
         std::push_heap(heap_.begin(), heap_.end(), std::greater<>());
     }
@@ -164,17 +170,26 @@ private:
     /// Closes the open vertex with the smallest key; kNoVertex where there is none.
     Vertex pop()
     {
-        while (!heap_.empty())
+        for (Vertex v = popAny(); v != kNoVertex; v = popAny())
         {
-            const Vertex v = heap_.front().vertex;
-            std::pop_heap(heap_.begin(), heap_.end(), std::greater<>());
-            heap_.pop_back();
             if (labels_[v].stamp == closed())
                 continue;
             labels_[v].stamp = closed();
             return v;
         }
         return kNoVertex;
+    }
+
+    Vertex popAny()
+    {
+        if (weight_ == kOne)
+            return buckets_.pop();
+        if (heap_.empty())
+            return kNoVertex;
+        std::pop_heap(heap_.begin(), heap_.end(), std::greater<>());
+        const Vertex v = heap_.back().vertex;
+        heap_.pop_back();
+        return v;
     }
 
     static constexpr unsigned kReachedBits = 20; ///< of an order; more only mix up equal keys
@@ -192,6 +207,10 @@ private:
         constexpr auto kMost = static_cast<Cost>(kMostWeight * kOne);
         if (isFixed_ || weight_ >= kMost)
             return;
+        // Out of the buckets comes the latest of equal keys first, and so it has to stay.
+        reached_ += buckets_.size();
+        for (Vertex v = buckets_.pop(); v != kNoVertex; v = buckets_.pop())
+            heap_.push_back({order(labels_[v], buckets_.size()), v});
         weight_ = std::min(kMost, weight_ + std::max<Cost>(1, weight_ - kOne));
         std::erase_if(heap_, [this](const Open &entry) { return labels_[entry.vertex].stamp == closed(); });
         for (Open &entry : heap_)
@@ -209,7 +228,8 @@ private:
     const Graph &graph_;
     const Landmarks &landmarks_;
     std::vector<Label> labels_; ///< size = vertices
-    std::vector<Open> heap_;
+    BucketQueue buckets_;       ///< of the open vertices while the weight is 1
+    std::vector<Open> heap_;    ///< and later
     std::vector<Vertex> path_;
     std::uint32_t stamp_ = 0;
     std::uint64_t reached_ = 0; ///< how often the last search reached a vertex

@@ -45,8 +45,8 @@ struct LowerBounds
     BoundMeans means = BoundMeans::distances;
 };
 
-/// Visits of vertices in all searches together that take some ten seconds.
-inline constexpr std::uint64_t kReasonableVisits = 100'000'000;
+/// Visits of vertices in all searches together that take some seconds.
+inline constexpr std::uint64_t kReasonableVisits = 50'000'000;
 
 /// Nothing where some goal cannot be reached from its start.
 /// \param supervision ends the search for better bounds, and hears of the robots

@@ -1,9 +1,10 @@
 #include "framework/campaign/BenchmarkPlan.h"
 
+#include "framework/campaign/InputIdentity.h"
+#include "framework/campaign/PointError.h"
 #include "framework/campaign/RunKey.h"
 #include "framework/support/Config.h"
 #include "framework/support/Error.h"
-#include "framework/support/File.h"
 #include "framework/support/Fingerprint.h"
 
 #include <algorithm>
@@ -51,42 +52,28 @@ std::vector<std::string> pointIds(const BenchmarkPlan &plan)
     return ids;
 }
 
-/// Hashes of input files, each read once.
-class InputHashes
-{
-public:
-    /// Of all files together; nothing where one is missing and that is tolerated.
-    std::optional<std::string> of(const std::vector<std::filesystem::path> &files, MissingInput missing)
-    {
-        Fingerprint hash;
-        for (const std::filesystem::path &file : files)
-        {
-            auto [entry, isNew] = known_.try_emplace(file);
-            try
-            {
-                if (isNew)
-                    entry->second = Fingerprint().add(readFile(file)).hex();
-            }
-            catch (const FileError &)
-            {
-                known_.erase(entry);
-                if (missing == MissingInput::tolerate)
-                    return std::nullopt;
-                throw;
-            }
-            hash.add(entry->second);
-        }
-        return hash.hex();
-    }
-
-private:
-    std::map<std::filesystem::path, std::string> known_;
-};
-
 /// The key of a run by an outside program also depends on the files that its command names.
-std::string withFiles(const std::string &key, const std::optional<std::string> &files)
+std::string withFiles(const std::string &key, const FileHashes &files)
 {
-    return files ? Fingerprint().add(key).add(*files).hex() : std::string();
+    Fingerprint all;
+    all.add(key);
+    for (const auto &[name, hash] : files)
+        all.add(name).add(hash);
+    return all.hex();
+}
+
+/// What the problem itself says is wrong, which is more than that a file cannot be read.
+InputError complaintOf(const Problem &problem, const InputError &error)
+{
+    try
+    {
+        problem.check();
+    }
+    catch (const InputError &better)
+    {
+        return better;
+    }
+    return error;
 }
 
 } // namespace
@@ -96,8 +83,21 @@ std::vector<PointIdentity> identifyPoints(const BenchmarkPlan &plan, MissingInpu
     InputHashes hashes;
     std::vector<PointIdentity> points;
     for (std::string &id : pointIds(plan))
-        points.push_back(
-            {std::move(id), hashes.of(plan.points[points.size()].problem->inputFiles(), missing)});
+    {
+        const std::size_t point = points.size();
+        const Problem &problem = *plan.points[point].problem;
+        std::optional<std::string> inputs;
+        try
+        {
+            inputs = hashes.of(problem.inputFiles(), missing);
+        }
+        catch (const InputError &error)
+        {
+            if (missing == MissingInput::refuse)
+                throw PointError(complaintOf(problem, error), plan, point);
+        }
+        points.push_back({std::move(id), std::move(inputs)});
+    }
     return points;
 }
 
@@ -105,11 +105,7 @@ std::vector<RunSpec> expand(const BenchmarkPlan &plan, MissingInput missing)
 {
     const std::vector<PointIdentity> points = identifyPoints(plan, missing);
     RunKeys keys(plan);
-    InputHashes hashes;
-    std::vector<std::optional<std::string>> commandFiles; // of each planner
-    for (const Configured &planner : plan.planners)
-        commandFiles.push_back(planner.command ? hashes.of(filesOf(*planner.command), missing)
-                                               : std::nullopt);
+    const std::vector<std::optional<FileHashes>> files = identifyPlanners(plan, missing);
     std::vector<RunSpec> specs;
     specs.reserve(plan.points.size() * static_cast<std::size_t>(plan.repetitions) * plan.planners.size());
     for (std::size_t p = 0; p < plan.points.size(); ++p)
@@ -132,8 +128,10 @@ std::vector<RunSpec> expand(const BenchmarkPlan &plan, MissingInput missing)
             {
                 if (inputs)
                     keys.set(spec);
-                if (inputs && plan.planners[spec.planner].command)
-                    spec.runKey = withFiles(spec.runKey, commandFiles[spec.planner]);
+                if (inputs && !files[spec.planner])
+                    spec.runKey.clear();
+                else if (inputs && plan.planners[spec.planner].command)
+                    spec.runKey = withFiles(spec.runKey, *files[spec.planner]);
                 specs.push_back(spec);
             }
         }

@@ -24,7 +24,7 @@ struct RunResult
     std::shared_ptr<const Instance> instance; ///< what the planner was asked; null where there is none
     Progress progress;                        ///< of solve(); empty for planners without such properties
     bool startedProcesses = false;            ///< the planner did
-    bool paused = false;      ///< who measured it stood still for a while: it has to be measured again
+    bool paused = false;       ///< who measured it stood still for a while: it has to be measured again
     bool lastOfWorker = false; ///< its process is spoiled for other runs, and ends
 };
 

@@ -1,5 +1,6 @@
 #include "framework/campaign/InProcessExecutor.h"
 
+#include "framework/campaign/CommandPlanner.h"
 #include "framework/campaign/PlannerFactory.h"
 #include "framework/campaign/RunNotes.h"
 #include "framework/support/Error.h"
@@ -19,6 +20,18 @@ std::size_t graphSize(const std::shared_ptr<const Graph> &graph)
     constexpr std::size_t kOfAnEdge = 16;
     constexpr std::size_t kLeast = 1024;
     return kLeast + graph->vertexCount() * kOfAVertex + graph->edgeCount() * kOfAnEdge;
+}
+
+/// What an outside program said: to its standard error, and where it did not solve, to its standard output.
+void keepWords(const Planner &planner, RunRecord &record)
+{
+    const auto *program = dynamic_cast<const CommandPlanner *>(&planner);
+    if (program == nullptr)
+        return;
+    if (!program->errorTail().empty())
+        record.extra["error_output"] = program->errorTail();
+    if (!record.solved() && !program->outputTail().empty())
+        record.extra["standard_output"] = program->outputTail();
 }
 
 } // namespace
@@ -42,8 +55,8 @@ RunResult InProcessExecutor::execute(const RunSpec &spec, const std::stop_token 
 
 void InProcessExecutor::checkCommand(const RunSpec &spec) const
 {
-    if (const auto &command = plan_.planners[spec.planner].command; command && inputs_)
-        inputs_->check(filesOf(*command));
+    if (inputs_)
+        inputs_->check(inputFilesOf(plan_.planners[spec.planner]));
 }
 
 void InProcessExecutor::checkInputs(const Problem &problem) const
@@ -90,6 +103,7 @@ RunResult InProcessExecutor::executeOnce(const RunSpec &spec, const std::stop_to
     settings.again = makePlanner;
     settings.onPhase = onPhase_;
     RunResult result = runPlanner(*planner, *prepared, optimizers, settings, stop);
+    keepWords(*planner, result.record);
     fillIdentity(result.record, plan_, spec);
     result.record.limitMeans =
         settings.ownProcess ? "time asked, cpu asked, memory afterwards" : "time asked";

@@ -1,9 +1,9 @@
 #include "framework/campaign/InputWatch.h"
 
 #include "framework/campaign/BenchmarkPlan.h"
-#include "framework/support/HarnessError.h"
 #include "framework/support/File.h"
 #include "framework/support/Fingerprint.h"
+#include "framework/support/HarnessError.h"
 
 #include <ctime>
 #include <sys/stat.h>
@@ -37,16 +37,31 @@ std::string hashOf(const std::filesystem::path &file)
 
 } // namespace
 
+std::vector<std::filesystem::path> inputFilesOf(const Configured &planner)
+{
+    std::vector<std::filesystem::path> paths;
+    if (planner.command)
+        for (const CommandFile &file : filesOf(*planner.command, planner.settings))
+            paths.push_back(file.path);
+    return paths;
+}
+
 std::vector<std::filesystem::path> inputFilesOf(const BenchmarkPlan &plan)
 {
     std::vector<std::filesystem::path> all;
     const auto add = [&all](const std::vector<std::filesystem::path> &files)
     { all.insert(all.end(), files.begin(), files.end()); };
     for (const ProblemPoint &point : plan.points)
-        add(point.problem->inputFiles());
+        try
+        {
+            add(point.problem->inputFiles());
+        }
+        catch (const InputError &)
+        {
+            // A file that names others is missing or malformed: expand() says so, with the plan's place.
+        }
     for (const Configured &planner : plan.planners)
-        if (planner.command)
-            add(filesOf(*planner.command));
+        add(inputFilesOf(planner));
     return all;
 }
 
@@ -89,7 +104,7 @@ void InputWatch::check(std::span<const std::filesystem::path> files)
         const auto noted = hashes_.find(name);
         const bool exists = version.number != 0;
         if (noted == hashes_.end() || !exists || hashOf(file) != noted->second)
-            throw HarnessError({name}, std::string(!exists                   ? "went away"
+            throw HarnessError({name}, std::string(!exists                  ? "went away"
                                                    : noted == hashes_.end() ? "appeared"
                                                                             : "changed") +
                                            " while the campaign ran; nothing was recorded with it. The same "

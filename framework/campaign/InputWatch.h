@@ -15,6 +15,10 @@ namespace mrpp
 {
 
 struct BenchmarkPlan;
+struct Configured;
+
+/// Every file that a planner's command reads; none where it has no command.
+[[nodiscard]] std::vector<std::filesystem::path> inputFilesOf(const Configured &planner);
 
 /// Every file that the plan's problems and commands read.
 [[nodiscard]] std::vector<std::filesystem::path> inputFilesOf(const BenchmarkPlan &plan);

@@ -36,11 +36,13 @@ std::string experimentName(const std::string &caseId)
 }
 
 /// As Planner Arena shows them: "planner = walker;detours = 2;".
-std::string settingsText(const Configured &planner)
+std::string settingsText(const Configured &planner, const FileHashes &files)
 {
     std::string text = "planner = " + planner.kind + ";";
     for (const auto &[name, value] : planner.effective.empty() ? planner.settings : planner.effective)
         text.append(name == kVersionSetting ? "version" : name).append(" = ").append(value).append(";");
+    for (const auto &[name, hash] : files)
+        text.append("file ").append(name).append(" = ").append(hash).append(";");
     return text;
 }
 
@@ -49,7 +51,8 @@ std::string settingsText(const Configured &planner)
 ResultDatabase::ResultDatabase(const std::filesystem::path &file, bool mayWrite,
                                const FileSystemAbilities &abilities)
     : file_(file),
-      connection_(file, mayWrite ? sqlite::Connection::Mode::write : sqlite::Connection::Mode::read, abilities)
+      connection_(file, mayWrite ? sqlite::Connection::Mode::write : sqlite::Connection::Mode::read,
+                  abilities)
 {
     openResultSchema(connection_, file, mayWrite);
     if (mayWrite)
@@ -76,10 +79,12 @@ void ResultDatabase::describe(const BenchmarkPlan &plan, const Provenance &prove
     const auto points = identifyPoints(plan, MissingInput::tolerate);
     for (std::size_t p = 0; p < points.size(); ++p)
         questions_[points[p].id] = toText(experimentParts(plan, p, points[p].inputs.value_or("")));
-    for (const Configured &planner : plan.planners)
+    const auto files = identifyPlanners(plan, MissingInput::tolerate);
+    for (std::size_t i = 0; i < files.size(); ++i)
     {
-        plannerSettings_[planner.name] = settingsText(planner);
-        plannerQuestions_[planner.name] = toText(plannerParts(planner));
+        const Configured &planner = plan.planners[i];
+        plannerSettings_[planner.name] = settingsText(planner, files[i].value_or(FileHashes()));
+        plannerQuestions_[planner.name] = toText(plannerParts(planner, files[i].value_or(FileHashes())));
     }
     experiments_.clear();
     planners_.clear();

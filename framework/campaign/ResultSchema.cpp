@@ -1,6 +1,7 @@
 #include "framework/campaign/ResultSchema.h"
 
 #include "framework/PlannerStatus.h"
+#include "framework/campaign/ReadableRecord.h"
 #include "framework/support/Error.h"
 
 namespace mrpp
@@ -147,6 +148,7 @@ RunRecord RunRows::record(const sqlite::Statement &row) const
         else
             record.extra[cell.name] = std::move(value);
     }
+    makeReadable(record); // older versions kept bytes as they came
     return record;
 }
 

@@ -110,16 +110,17 @@ struct ResultStore::State
     void expectFolder() const
     {
         if (identityOf(database.file()) != identity)
-            throw FileError({database.file().parent_path().string()},
-                            "the folder was removed or replaced while the campaign ran; what had been written to "
-                            "it is gone with it");
+            throw FileError(
+                {database.file().parent_path().string()},
+                "the folder was removed or replaced while the campaign ran; what had been written to "
+                "it is gone with it");
     }
 
     std::unique_ptr<FolderLock> lock; // outlives the database
     FileSystemAbilities abilities;
     ResultDatabase database;
     BegunRuns begun;
-    std::pair<dev_t, ino_t> identity; // of the database's file
+    std::pair<dev_t, ino_t> identity;                       // of the database's file
     std::mutex beginning;                                   // guards what follows and `begun`
     std::unordered_map<std::string, std::int64_t> attempts; // of unfinished runs
 };
@@ -135,11 +136,13 @@ std::vector<std::string> ResultStore::notes() const
     std::vector<std::string> notes;
     const std::string folder = state_->database.file().parent_path().string();
     if (!state_->abilities.locks)
-        notes.push_back(folder + ": this file system has no locks: run one campaign in it at a time, and make "
-                                 "reports when it is over");
+        notes.push_back(folder +
+                        ": this file system has no locks: run one campaign in it at a time, and make "
+                        "reports when it is over");
     else if (!state_->abilities.sharedMemory)
-        notes.push_back(folder + ": this file system has no shared memory: results are kept with a rollback "
-                                 "journal, which is slower, and reports wait for the campaign while it writes");
+        notes.push_back(folder +
+                        ": this file system has no shared memory: results are kept with a rollback "
+                        "journal, which is slower, and reports wait for the campaign while it writes");
     return notes;
 }
 

@@ -4,8 +4,8 @@
 /// opens (tables experiments, plannerConfigs, enums, runs, progress; an experiment is one problem at one
 /// sweep point).
 ///
-/// While a campaign runs the file is in write-ahead mode (where the file system can do that): a report can read it, and the helper files beside
-/// it
+/// While a campaign runs the file is in write-ahead mode (where the file system can do that): a report can
+/// read it, and the helper files beside it
 /// (-wal, -shm) belong to it. They are folded in when the campaign ends, and when one that was killed goes on
 /// and ends. One computer at a time: on a network file system
 /// give each shard a folder of its own.

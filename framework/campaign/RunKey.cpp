@@ -15,26 +15,30 @@ namespace
 
 using Settings = std::vector<std::pair<std::string, std::string>>;
 
-/// Sorted, and numbers in one spelling, as neither their order nor their spelling matters.
-Settings canonical(Settings settings)
+constexpr const char *kFilePart = "file "; // and its name
+
+Settings sorted(Settings settings)
 {
-    for (auto &[name, value] : settings)
-        if (const auto number = parseNumber(value))
-            value = formatNumber(*number);
     std::sort(settings.begin(), settings.end());
     return settings;
 }
 
-/// As the plan says it.
-const Settings &written(const Configured &configured)
+/// As the program runs it, as far as that is known: every parameter, as its type writes it. Texts stay what
+/// they are; "5", "5.0" and "+5" are one number.
+Settings effective(const Configured &configured)
 {
-    return configured.settings;
+    return sorted(configured.effective.empty() ? configured.settings : configured.effective);
 }
 
-/// As the program runs it, as far as that is known.
-const Settings &effective(const Configured &configured)
+/// What the plan says of it, written in the same way.
+Settings written(const Configured &configured)
 {
-    return configured.effective.empty() ? configured.settings : configured.effective;
+    Settings settings = configured.settings;
+    for (auto &[name, value] : settings)
+        for (const auto &[parameter, now] : configured.effective)
+            if (parameter == name && parseNumber(now))
+                value = now;
+    return sorted(std::move(settings));
 }
 
 std::string hash(const KeyParts &parts)
@@ -47,25 +51,25 @@ std::string hash(const KeyParts &parts)
 
 std::string hash(const Configured &configured, const Settings &settings)
 {
-    KeyParts parts = canonical(settings);
+    KeyParts parts = settings;
     parts.insert(parts.begin(), {"", configured.kind});
     return hash(parts);
 }
 
 /// "trimmer depth=2, other".
-std::string inWords(const std::vector<Configured> &all, const Settings &(*settingsOf)(const Configured &))
+std::string inWords(const std::vector<Configured> &all, Settings (*settingsOf)(const Configured &))
 {
     std::string text;
     for (const Configured &configured : all)
     {
         text += (text.empty() ? "" : ", ") + configured.kind;
-        for (const auto &[name, value] : canonical(settingsOf(configured)))
+        for (const auto &[name, value] : settingsOf(configured))
             text.append(" ").append(name).append("=").append(value);
     }
     return text;
 }
 
-KeyParts partsOf(const BenchmarkPlan &plan, const Settings &(*settingsOf)(const Configured &))
+KeyParts partsOf(const BenchmarkPlan &plan, Settings (*settingsOf)(const Configured &))
 {
     return {{"time limit", formatNumber(plan.limits.time)},
             {"CPU limit", plan.limits.cpu ? formatNumber(*plan.limits.cpu) : "none"},
@@ -90,11 +94,13 @@ KeyParts pointParts(const ProblemPoint &point, const std::string &inputs)
             {"input files", inputs}};
 }
 
-KeyParts plannerParts(const Configured &planner)
+KeyParts plannerParts(const Configured &planner, const FileHashes &files)
 {
     KeyParts parts = {{"planner", planner.kind}};
-    for (const auto &[name, value] : canonical(effective(planner)))
+    for (const auto &[name, value] : effective(planner))
         parts.emplace_back(name == kVersionSetting ? "algorithm version" : "parameter " + name, value);
+    for (const auto &[name, hash] : files)
+        parts.emplace_back(kFilePart + name, hash);
     return parts;
 }
 
@@ -114,7 +120,7 @@ std::string toText(const KeyParts &parts)
     {
         text += name + ": ";
         for (const char c : value)
-            text += c == '\n' || c == '\r' ? ' ' : c;
+            text += c == '\n' ? "\\n" : c == '\r' ? "\\r" : c == '\\' ? "\\\\" : std::string(1, c);
         text += '\n';
     }
     return text;
@@ -125,8 +131,19 @@ KeyParts keyParts(const std::string &text)
     KeyParts parts;
     std::istringstream lines(text);
     for (std::string line; std::getline(lines, line);)
-        if (const std::size_t colon = line.find(": "); colon != std::string::npos)
-            parts.emplace_back(line.substr(0, colon), line.substr(colon + 2));
+    {
+        const std::size_t colon = line.find(": ");
+        if (colon == std::string::npos)
+            continue;
+        std::string value;
+        for (std::size_t i = colon + 2; i < line.size(); ++i)
+        {
+            const bool escaped = line[i] == '\\' && i + 1 < line.size();
+            const char c = line[escaped ? ++i : i];
+            value += !escaped ? c : c == 'n' ? '\n' : c == 'r' ? '\r' : c;
+        }
+        parts.emplace_back(line.substr(0, colon), std::move(value));
+    }
     return parts;
 }
 
@@ -135,18 +152,19 @@ std::string differences(const KeyParts &before, const KeyParts &now)
     const auto find = [](const KeyParts &parts, const std::string &name) {
         return std::find_if(parts.begin(), parts.end(), [&](const auto &part) { return part.first == name; });
     };
+    const auto isHash = [](const std::string &name)
+    { return name == "input files" || name.starts_with(kFilePart); };
     std::string text;
     const auto add = [&text](const std::string &words) { text += (text.empty() ? "" : "; ") + words; };
     for (const auto &[name, value] : now)
         if (const auto was = find(before, name); was == before.end())
-            add(fmt::format("{} is new: {}", name, value));
-        else if (was->second != value && name == "input files")
-            add("input files changed");
+            add(isHash(name) ? name + " is new" : fmt::format("{} is new: {}", name, value));
         else if (was->second != value)
-            add(fmt::format("{} was '{}', is '{}'", name, was->second, value));
+            add(isHash(name) ? name + " changed"
+                             : fmt::format("{} was '{}', is '{}'", name, was->second, value));
     for (const auto &[name, value] : before)
         if (find(now, name) == now.end())
-            add(fmt::format("{} is gone: '{}'", name, value));
+            add(isHash(name) ? name + " is gone" : fmt::format("{} is gone: '{}'", name, value));
     return text;
 }
 

@@ -4,6 +4,7 @@
 /// so that a changed key can be explained (`mrppsim run --why`).
 
 #include "framework/campaign/BenchmarkPlan.h"
+#include "framework/campaign/InputIdentity.h"
 
 #include <cstdint>
 #include <map>
@@ -24,14 +25,15 @@ using KeyParts = std::vector<std::pair<std::string, std::string>>;
 /// contents of its input files (`inputs`, a hash of them).
 [[nodiscard]] KeyParts pointParts(const ProblemPoint &point, const std::string &inputs);
 
-/// The kind of planner, the version of its algorithm and its effective parameters.
-[[nodiscard]] KeyParts plannerParts(const Configured &planner);
+/// The kind of planner, the version of its algorithm, its effective parameters, and the files that an outside
+/// program's answers depend on (identifyPlanners()).
+[[nodiscard]] KeyParts plannerParts(const Configured &planner, const FileHashes &files);
 
 /// pointParts() and campaignParts() of the plan's point number `point`, and the campaign's seed.
 [[nodiscard]] KeyParts experimentParts(const BenchmarkPlan &plan, std::size_t point,
                                        const std::string &inputs);
 
-/// One part a line, and back.
+/// One part a line, and back; line breaks in a value are written as `\\n`.
 [[nodiscard]] std::string toText(const KeyParts &parts);
 [[nodiscard]] KeyParts keyParts(const std::string &text);
 

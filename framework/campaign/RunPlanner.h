@@ -118,10 +118,10 @@ struct RunSettings
 /// `time` is the median, and the answers must not differ, which the record tells (`repeatable`). Memory is
 /// that of the first.
 ///
-/// Time is that of solve() alone (without LateAnswer::collect(), which no limit concerns), memory how far the process grows during setup() and solve(). Lengths are
-/// there for `solved` and `partial` only; the makespan is that of the solution condensed under `following`.
-/// Without a solution `completed` counts the robots that are at their goals from the start. The record does
-/// not say which run it is: the caller fills that in.
+/// Time is that of solve() alone (without LateAnswer::collect(), which no limit concerns), memory how far the
+/// process grows during setup() and solve(). Lengths are there for `solved` and `partial` only; the makespan
+/// is that of the solution condensed under `following`. Without a solution `completed` counts the robots that
+/// are at their goals from the start. The record does not say which run it is: the caller fills that in.
 [[nodiscard]] RunResult runPlanner(Planner &planner, const PreparedInstance &prepared,
                                    std::span<const NamedOptimizer> optimizers, const RunSettings &settings,
                                    const std::stop_token &stop);

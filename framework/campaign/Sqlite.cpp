@@ -24,7 +24,8 @@ std::string advice(int code)
         return "; the folder and its files must be writable";
     case SQLITE_IOERR:
     case SQLITE_PROTOCOL:
-        return "; the disk is failing, or its file system lacks what a database needs: try a folder on another one "
+        return "; the disk is failing, or its file system lacks what a database needs: try a folder on "
+               "another one "
                "(-o)";
     case SQLITE_NOTADB:
     case SQLITE_CORRUPT:
@@ -76,9 +77,11 @@ int Connection::open(const std::string &name, int flags)
 Connection::Connection(const std::filesystem::path &file, Mode mode, const FileSystemAbilities &abilities)
     : file_(file), abilities_(abilities)
 {
-    const bool immutable = mode == Mode::read && !abilities.locks; // else it might take back what others write
-    const int flags = (mode == Mode::write ? SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE : SQLITE_OPEN_READONLY) |
-                      (immutable ? SQLITE_OPEN_URI : 0);
+    const bool immutable =
+        mode == Mode::read && !abilities.locks; // else it might take back what others write
+    const int flags =
+        (mode == Mode::write ? SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE : SQLITE_OPEN_READONLY) |
+        (immutable ? SQLITE_OPEN_URI : 0);
     int code = open(immutable ? immutableUri(file) : file.string(), flags);
     std::error_code error;
     const bool quiet = !std::filesystem::exists(file.string() + "-wal", error); // nobody is writing

@@ -9,10 +9,11 @@ namespace
 {
 
 /// All that a run depends on but its repetition, as the store would write it down now.
-KeyParts partsNow(const BenchmarkPlan &plan, const RunSpec &spec, const PointIdentity &point)
+KeyParts partsNow(const BenchmarkPlan &plan, const RunSpec &spec, const PointIdentity &point,
+                  const FileHashes &files)
 {
     KeyParts parts = experimentParts(plan, spec.point, point.inputs.value_or(""));
-    const KeyParts planner = plannerParts(plan.planners[spec.planner]);
+    const KeyParts planner = plannerParts(plan.planners[spec.planner], files);
     parts.insert(parts.end(), planner.begin(), planner.end());
     return keyParts(toText(parts));
 }
@@ -35,6 +36,7 @@ std::vector<MissingRun> missingRuns(const BenchmarkPlan &plan, const ResultStore
         return missing;
     }
     const auto points = identifyPoints(plan, MissingInput::refuse);
+    const auto planners = identifyPlanners(plan, MissingInput::refuse);
     const auto finished = store->finishedRuns();
     const auto asked = store->askedBefore();
     const auto begun = store->unfinishedAttempts();
@@ -48,7 +50,8 @@ std::vector<MissingRun> missingRuns(const BenchmarkPlan &plan, const ResultStore
             why = "new: no run of this planner on this case is in the folder";
         else if (before->second.empty())
             why = "changed: the run in the folder is of an older version of this program";
-        else if (const auto change = differences(before->second, partsNow(plan, spec, points[spec.point]));
+        else if (const auto change = differences(
+                     before->second, partsNow(plan, spec, points[spec.point], *planners[spec.planner]));
                  !change.empty())
             why = "changed: " + change;
         else

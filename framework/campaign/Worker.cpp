@@ -81,7 +81,8 @@ void serve(const BenchmarkPlan &plan, const InputWatch::Hashes &inputs, const Ca
             ::_exit(0); // a process that the planner forked came back from solve()
     };
     InProcessExecutor executor(plan, catalog, 1);
-    executor.setInputs(std::make_shared<InputWatch>(inputs));
+    if (!inputs.empty()) // a replay takes files as they are
+        executor.setInputs(std::make_shared<InputWatch>(inputs));
     executor.setPhaseEvent(
         [&](RunPhase phase, const RunRecord &record)
         {

@@ -378,9 +378,10 @@ RunResult WorkerExecutor::execute(const RunSpec &spec, const std::stop_token &st
                 continue;
             if (addedMetrics && attempt.note && attempt.note->phase == RunPhase::measure && !stopped())
             {
-                note = "no added metrics: one of them " + (attempt.end == Attempt::End::byItself
-                                                                ? inWords(how)
-                                                                : std::string("needed too much time or memory"));
+                note =
+                    "no added metrics: one of them " + (attempt.end == Attempt::End::byItself
+                                                            ? inWords(how)
+                                                            : std::string("needed too much time or memory"));
                 addedMetrics = false;
                 continue;
             }
@@ -392,7 +393,8 @@ RunResult WorkerExecutor::execute(const RunSpec &spec, const std::stop_token &st
             result.record.limitMeans = conditions.limitMeans;
         }
         if (!errorOutput.empty())
-            result.record.extra["error_output"] = std::move(errorOutput);
+            result.record.extra.try_emplace("error_output",
+                                            std::move(errorOutput)); // unless a planner has its own
         break;
     }
     if (!note.empty())

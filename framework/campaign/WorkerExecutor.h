@@ -31,14 +31,13 @@ public:
         instances_.setInputs(std::move(inputs));
     }
 
-    /// A worker that dies is a `crash` whose reason says how it died and in which phase (HarnessError where no
-    /// planner had begun, again and again); one that has to be
-    /// killed two seconds after a limit (of wall or
-    /// CPU time) a `timeout`, one that outgrows the memory limit together with what it started a
+    /// A worker that dies is a `crash` whose reason says how it died and in which phase (HarnessError where
+    /// no planner had begun, again and again); one that has to be killed two seconds after a limit (of wall
+    /// or CPU time) a `timeout`, one that outgrows the memory limit together with what it started a
     /// `memory_limit`; the record says by which means the limits are kept. A worker that somebody else kills
-    /// (SIGKILL) is replaced and the run begun again, twice at most. One that stands still uses up no limit, and
-    /// its result says that it was `paused`. What a planner wrote to its standard
-    /// error, the last 2 KiB, is in the record's column `error_output`. Throws InputError as the worker does.
+    /// (SIGKILL) is replaced and the run begun again, twice at most. One that stands still uses up no limit,
+    /// and its result says that it was `paused`. What a planner wrote to its standard error, the last 2 KiB,
+    /// is in the record's column `error_output`. Throws InputError as the worker does.
     [[nodiscard]] RunResult execute(const RunSpec &spec, const std::stop_token &stop) override;
 
 private:
@@ -62,8 +61,8 @@ private:
     const BenchmarkPlan &plan_;
     bool needInstances_;
     std::shared_ptr<InputWatch> inputs_; ///< or null
-    InProcessExecutor instances_; ///< makes them on this side too, where they are needed
-    std::mutex mutex_;            ///< guards what follows
+    InProcessExecutor instances_;        ///< makes them on this side too, where they are needed
+    std::mutex mutex_;                   ///< guards what follows
     std::vector<std::unique_ptr<WorkerProcess>> idle_;
     std::vector<CoreSet> cores_; ///< of workers that are still to be started
 };

@@ -63,6 +63,16 @@ std::int64_t Config::integer() const
 
 namespace
 {
+/// 5, 5.0 and +5 are one setting; 9007199254740993, which no floating-point number is, stays itself.
+std::string canonicalText(const std::string &text)
+{
+    constexpr std::int64_t kExact = std::int64_t{1} << 53;
+    if (const auto whole = parseInteger(text); whole && (*whole > kExact || *whole < -kExact))
+        return std::to_string(*whole);
+    const auto number = parseNumber(text);
+    return number ? formatNumber(*number) : text;
+}
+
 nlohmann::json toJson(const Config &node)
 {
     switch (node.kind())
@@ -70,9 +80,7 @@ nlohmann::json toJson(const Config &node)
     case Config::Kind::empty:
         return nullptr;
     case Config::Kind::scalar:
-        if (const auto number = parseNumber(node.text()))
-            return formatNumber(*number); // 5, 5.0 and +5 are one setting
-        return node.text();
+        return canonicalText(node.text());
     case Config::Kind::list: {
         nlohmann::json items = nlohmann::json::array();
         for (const Config &item : node.items())

@@ -42,7 +42,8 @@ std::string temporaryName(const std::filesystem::path &path, int attempt)
     name.resize(end);
     std::timespec now{};
     ::clock_gettime(CLOCK_REALTIME, &now);
-    name += "." + std::to_string(::getpid()) + "-" + std::to_string(now.tv_nsec) + "-" + std::to_string(attempt);
+    name +=
+        "." + std::to_string(::getpid()) + "-" + std::to_string(now.tv_nsec) + "-" + std::to_string(attempt);
     return (path.parent_path() / name).string();
 }
 

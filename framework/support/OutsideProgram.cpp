@@ -2,7 +2,9 @@
 
 #include "framework/support/Descriptor.h"
 #include "framework/support/Spawn.h"
+#include "framework/support/TailPipe.h"
 
+#include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstring>
@@ -40,15 +42,19 @@ private:
     rlimit before_{};
 };
 
-pid_t start(const ProgramRequest &request)
+pid_t start(const ProgramRequest &request, const TailPipe &output, const TailPipe &errors)
 {
     const UnlimitedData unlimited;
     constexpr mode_t kOwn = 0600;
-    const char *output = request.output.empty() ? "/dev/null" : request.output.c_str();
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
     posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, output, O_WRONLY | O_CREAT | O_TRUNC, kOwn);
+    if (request.output.empty())
+        posix_spawn_file_actions_adddup2(&actions, output.writeEnd(), STDOUT_FILENO);
+    else
+        posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, request.output.c_str(),
+                                         O_WRONLY | O_CREAT | O_TRUNC, kOwn);
+    posix_spawn_file_actions_adddup2(&actions, errors.writeEnd(), STDERR_FILENO);
     posix_spawn_file_actions_addclosefrom_np(&actions, STDERR_FILENO + 1);
     if (!request.folder.empty())
         posix_spawn_file_actions_addchdir_np(&actions, request.folder.c_str());
@@ -59,12 +65,16 @@ pid_t start(const ProgramRequest &request)
     return child;
 }
 
-/// Waits a moment, or until the process ends. \param handle of the process, −1 where the system has none
-void waitAMoment(int handle)
+/// Waits a moment, or until the process ends or writes. \param handle of the process, −1 where the system has
+/// none
+void waitAMoment(int handle, TailPipe &output, TailPipe &errors)
 {
     constexpr int kMoment = 5; // milliseconds
-    pollfd process{handle, POLLIN, 0};
-    ::poll(&process, 1, handle < 0 ? 1 : kMoment);
+    std::array<pollfd, 3> sources{
+        {{handle, POLLIN, 0}, {output.readEnd(), POLLIN, 0}, {errors.readEnd(), POLLIN, 0}}};
+    ::poll(sources.data(), sources.size(), handle < 0 ? 1 : kMoment);
+    output.read();
+    errors.read();
 }
 
 bool isTooLarge(const ProgramRequest &request)
@@ -79,12 +89,16 @@ bool isTooLarge(const ProgramRequest &request)
 ProgramEnd runProgram(const ProgramRequest &request)
 {
     ProgramEnd end;
-    const pid_t child = start(request);
+    TailPipe output;
+    TailPipe errors(STDERR_FILENO);
+    const pid_t child = start(request, output, errors);
     if (child < 0)
     {
         end.failure = std::strerror(errno);
         return end;
     }
+    output.closeWriteEnd();
+    errors.closeWriteEnd();
     const Descriptor handle(static_cast<int>(::syscall(SYS_pidfd_open, child, 0)));
     const auto never = Clock::time_point::max();
     auto deadline = never;
@@ -102,9 +116,13 @@ ProgramEnd runProgram(const ProgramRequest &request)
                 continue;
             break;
         }
-        waitAMoment(handle.number());
+        waitAMoment(handle.number(), output, errors);
     }
     ::kill(-child, SIGKILL);
+    output.read();
+    errors.read();
+    end.outputTail = output.take();
+    end.errorTail = errors.take();
     end.exitCode = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
     end.signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
     return end;

@@ -12,8 +12,8 @@ namespace mrpp
 class PauseWatch
 {
 public:
-    /// Blocks SIGCONT in this thread and in those that it starts later. A blocked one continues the process as
-    /// ever, and stays pending, which tells of the pause, however short it was. In a process where another
+    /// Blocks SIGCONT in this thread and in those that it starts later. A blocked one continues the process
+    /// as ever, and stays pending, which tells of the pause, however short it was. In a process where another
     /// thread takes the signal only the machine's sleep is noticed.
     PauseWatch();
 

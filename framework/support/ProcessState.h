@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// What belongs to a whole process and any code in it may change: its folder, limits, signals, environment, ….
-/// Planners from plugins share a worker process with the planners of later runs, which must not notice.
+/// What belongs to a whole process and any code in it may change: its folder, limits, signals, environment,
+/// …. Planners from plugins share a worker process with the planners of later runs, which must not notice.
 
 #include <array>
 #include <cfenv>
@@ -9,8 +9,8 @@
 #include <exception>
 #include <locale>
 #include <new>
-#include <string>
 #include <sched.h>
+#include <string>
 #include <sys/resource.h>
 #include <sys/types.h>
 #include <vector>

@@ -31,8 +31,8 @@ fs::path parentFolder()
     return error ? fs::path("/tmp") : fs::absolute(parent, error);
 }
 
-/// The lock, held from now on; none, and errno says why, where another process holds it (EWOULDBLOCK), there is
-/// no such file, or the file system has no locks.
+/// The lock, held from now on; none, and errno says why, where another process holds it (EWOULDBLOCK), there
+/// is no such file, or the file system has no locks.
 Descriptor lockOf(const fs::path &folder, int flags)
 {
     constexpr mode_t kOwn = 0600;

@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// A folder of one's own that disappears with the object; and if the process is killed, with the next look for
-/// such folders.
+/// A folder of one's own that disappears with the object; and if the process is killed, with the next look
+/// for such folders.
 
 #include "framework/support/Descriptor.h"
 

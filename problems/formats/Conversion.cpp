@@ -18,6 +18,7 @@
 #include "problems/formats/Tracker.h"
 #include "problems/formats/VetandXml.h"
 #include "problems/formats/support/Cells.h"
+#include "problems/formats/support/ForeignFormats.h"
 
 #include <algorithm>
 #include <cctype>
@@ -157,8 +158,9 @@ FormatId formatOfInput(const ConversionRequest &request)
 {
     const std::string text = readFile(request.in);
     const FormatId format = formatOf(request.in, text);
-    if (!canRead(format, Holds::graph) && !canRead(format, Holds::instance) &&
-        !canRead(format, Holds::solution))
+    const bool isOther = formatOf(text) == FormatId::unknown && describeUnknown(text) != kPlainText;
+    if (isOther || (!canRead(format, Holds::graph) && !canRead(format, Holds::instance) &&
+                    !canRead(format, Holds::solution)))
         throw ParseError({request.in.string(), 1, 1},
                          "this is " + describe(formatOf(text), text) +
                              ", which is not read; `mrppsim list formats` says what is");
@@ -317,7 +319,15 @@ private:
                                            }));
         }
         if (target_.id == FormatId::vetandInstance)
-            return write(request_.out, asTarget([&] { return formatVetandInstance(instance, map); }));
+        {
+            const std::string text = asTarget([&] { return formatVetandInstance(instance, map); });
+            const auto points = instance.graph->coordinates();
+            if (!std::is_sorted(points.begin(), points.end(),
+                                [](const Point &p, const Point &q)
+                                { return std::pair(p.y, p.x) < std::pair(q.y, q.x); }))
+                note({"lost: the vertices' numbers; a map's cells are numbered row by row"});
+            return write(request_.out, text);
+        }
         convertOnGraph(loaded);
     }
 

@@ -232,6 +232,12 @@ private:
     void refuseOtherMeanings() const
     {
         const std::string help = "; if these are edges, write '# Nodes: <vertices>' in front";
+        const auto count = static_cast<std::int64_t>(rows_.size());
+        const bool mayBeMetis = rows_.front().a >= count - 1; // a vertex without neighbours has a blank line
+        const bool mayBeMatrix = isWeighted_ && count == 3;
+        if (mayBeMetis || mayBeMatrix)
+            if (const std::string other = tableOfNumbers(text_); !other.empty())
+                reader_.fail(firstLine_, 1, "this looks like " + other + ", not like a list of edges" + help);
         if (hasMixedRows_)
             reader_.fail(mixedLine_, 1,
                          std::string("this line has ") + (isWeighted_ ? "no" : "a") +
@@ -243,13 +249,6 @@ private:
                          "this line looks like the one between the vertices and the edges of a graph as TGF, "
                          "which is not read" +
                              help);
-        const Row &first = rows_.front();
-        const auto count = static_cast<std::int64_t>(rows_.size());
-        const bool mayBeMetis = first.a >= count - 1; // a vertex without neighbours has a blank line
-        const bool mayBeMatrix = isWeighted_ && count == 3;
-        if (mayBeMetis || mayBeMatrix)
-            if (const std::string other = tableOfNumbers(text_); !other.empty())
-                reader_.fail(firstLine_, 1, "this looks like " + other + ", not like a list of edges" + help);
         if (const std::string other = countsInFront(); !other.empty())
             reader_.fail(firstLine_, 1, other + help);
     }

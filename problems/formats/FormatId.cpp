@@ -112,7 +112,7 @@ bool isScenarioRecord(std::string_view line)
     return words >= 9 && numbers >= 7 && numbers < words;
 }
 
-/// Two numbers in the first line that is no comment.
+/// Two numbers in the first line that is no comment, and perhaps a weight.
 bool beginsWithAnEdge(std::string_view text)
 {
     TextReader reader(text, "");
@@ -123,7 +123,13 @@ bool beginsWithAnEdge(std::string_view text)
             continue;
         const auto first = parseInteger(cursor.until(", \t"));
         (void)cursor.take(",");
-        return first && parseInteger(cursor.until(", \t"));
+        if (!first || !parseInteger(cursor.until(", \t")))
+            return false;
+        (void)cursor.take(",");
+        if (cursor.atEnd() || cursor.take("{") || cursor.take("#") || cursor.take("%"))
+            return true;
+        (void)cursor.until(", \t");
+        return cursor.atEnd() || cursor.take("#") || cursor.take("%");
     }
     return hasLine(text, "# Nodes:");
 }

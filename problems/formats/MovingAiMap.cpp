@@ -29,9 +29,10 @@ struct Header
 };
 
 /// Everything up to the line `map`: keywords in any order. Lines of unknown keywords are left to those who
-/// know them.
+/// know them, misspelt ones are refused.
 Header readHeader(TextReader &reader)
 {
+    static const std::vector<std::string> kHeaderWords = {"type", "height", "width", "map"};
     Header header;
     while (const auto line = reader.next())
     {
@@ -56,7 +57,13 @@ Header readHeader(TextReader &reader)
             reader.fail(wordColumn, inQuotes(word) + " is no line of a map's header; expected 'type octile', "
                                                      "'height <rows>', 'width <columns>', then 'map'");
         if (word != "height" && word != "width")
+        {
+            const std::string meant = nearestWord(word, kHeaderWords);
+            if (!meant.empty() && meant != word)
+                reader.fail(wordColumn, inQuotes(word) + " is no line of a map's header; did you mean " +
+                                            inQuotes(meant) + "?");
             continue;
+        }
         std::size_t &slot = word == "height" ? header.height : header.width;
         const auto number = parseInteger(value);
         if (!number || *number < 1)

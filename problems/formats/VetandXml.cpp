@@ -91,12 +91,12 @@ public:
 
     SolutionRows moves(const Instance &instance) const
     {
-        const Cells cells(*instance.graph);
         const pugi::xml_node log = document_.root().child("log");
         const pugi::xml_node paths = log ? log.child("paths") : log;
         if (!paths)
             throw NoSolution({file_},
                              "the file says that there is no solution (it has no <log> with <paths>)");
+        const Cells cells(*instance.graph);
         std::map<std::int64_t, pugi::xml_node> agents;
         for (const pugi::xml_node agent : paths.children("agent"))
             if (!agents.emplace(attribute(agent, "id"), agent).second)

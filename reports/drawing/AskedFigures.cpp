@@ -128,7 +128,7 @@ Figure scalingOf(const FigureList &figures, const ResultTable &results, const Ch
         std::string refusal;
         if (auto figure = scalingFigure(figures, problem, chart.x, chart.y, refusal))
             return std::move(*figure);
-        throw DrawingError(refusal.empty() ? "no run was solved" : refusal);
+        throw DrawingError(refusal.empty() ? "nowhere were more than half of the instances solved" : refusal);
     }
     throw DrawingError("no sweep grows the graph");
 }

@@ -214,7 +214,8 @@ private:
             list_.add(std::move(figure), prefix + measure.column);
         }
         if (!anything)
-            list_.complain(fmt::format("{}: no run was solved, so there is no figure but that of success",
+            list_.complain(fmt::format("{}: nowhere were more than half of the instances solved, so there is "
+                                       "no figure but that of success",
                                        oneLine(problem.problem)));
 
         Figure success;
@@ -296,8 +297,9 @@ private:
             list_.add(std::move(figure), model + "-" + measure.column);
         }
         if (!anything)
-            list_.complain(
-                fmt::format("{}: no run was solved, so there is nothing to compare", spaced(model)));
+            list_.complain(fmt::format(
+                "{}: nowhere were more than half of the instances solved, so there is nothing to compare",
+                spaced(model)));
     }
 };
 
@@ -319,8 +321,15 @@ std::string variableTitle(const std::string &variable)
 
 FigureList::FigureList(const ResultTable &results)
 {
+    bool differ = false;
     for (const Configured &planner : results.plan().planners)
+    {
         planners_.push_back(planner.name);
+        differ = differ || planner.motion != results.plan().planners.front().motion;
+        rules_ += (rules_.empty() ? " Motion rules: " : ", ") +
+                  oneLine(withRule(planner.name, toString(planner.motion)));
+    }
+    rules_ = differ ? rules_ + "." : "";
 }
 
 std::size_t FigureList::styleOf(const std::string &planner) const
@@ -332,6 +341,7 @@ std::size_t FigureList::styleOf(const std::string &planner) const
 void FigureList::add(Figure figure, const std::string &title)
 {
     figure.name = names_.add(title);
+    figure.caption += rules_;
     result_.figures.push_back(std::move(figure));
 }
 

@@ -97,7 +97,7 @@ std::string comparisonScript(const Figure &figure)
         const std::string data = fmt::format("$values_{}", i);
         if (hasBand(figure.series[i]))
             items.push_back(
-                fmt::format("$band_{} using 2:1:2:3 with xerrorbars ps 0 lw 1 {} notitle", i, inkOf(style)));
+                fmt::format("$band_{} using 5:1:2:3 with xerrorbars ps 0 lw 1 {} notitle", i, inkOf(style)));
         if (hasValue(figure.series[i]))
         {
             addMarkers(items, data, "({}?$2:NaN):1", style);

@@ -119,7 +119,7 @@ std::string curvesScript(const Figure &figure)
         const std::string line = fmt::format("lw 1.5 dt {} {}", style.dashes, inkOf(style));
         if (hasBand(series))
             items.push_back(fmt::format("$band_{} using 1:{}:2:3 with yerrorbars ps 0 lw 1 {} notitle", i,
-                                        series.fit.empty() ? "($4==1?$2:NaN)" : "2", inkOf(style)));
+                                        series.fit.empty() ? "($4==1?$5:NaN)" : "5", inkOf(style)));
         if (hasValue(series))
         {
             items.push_back(series.fit.empty()

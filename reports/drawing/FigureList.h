@@ -21,13 +21,15 @@ public:
     /// A planner's style: its position in the plan.
     [[nodiscard]] std::size_t styleOf(const std::string &planner) const;
 
-    /// Gives the figure a name of its own after `title`.
+    /// Gives the figure a name of its own after `title`, and its caption the planners' motion rules where
+    /// they differ.
     void add(Figure figure, const std::string &title);
     void complain(std::string complaint) { result_.complaints.push_back(std::move(complaint)); }
     [[nodiscard]] CampaignFigures take() { return std::move(result_); }
 
 private:
     std::vector<std::string> planners_;
+    std::string rules_; ///< a sentence; empty where all planners obey the same rule
     FileNames names_;
     CampaignFigures result_;
 };

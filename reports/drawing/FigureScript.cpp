@@ -67,7 +67,8 @@ void writePoints(Script &script, const Figure &figure, double unit, const std::v
             else
                 end(values);
             if (point.value && point.value->hasBand())
-                bands.back().push_back({at, point.value->q1 / unit, point.value->q3 / unit, 0});
+                bands.back().push_back(
+                    {at, point.value->q1 / unit, point.value->q3 / unit, 0, point.value->median / unit});
             else
                 end(bands);
         }
@@ -76,7 +77,7 @@ void writePoints(Script &script, const Figure &figure, double unit, const std::v
                 blocks->pop_back();
         for (std::vector<Script::Row> &piece : bands) // a band of one point is nothing to see; it gets a bar
             if (piece.size() == 1)
-                piece.front().back() = 1;
+                piece.front()[3] = 1;
         script.block(fmt::format("values_{}", i), values);
         script.block(fmt::format("band_{}", i), bands);
         if (!figure.isPercentage)

@@ -51,19 +51,6 @@ std::string casesText(const CaseTable &cases)
     return counted(cases.cases.size(), "instance");
 }
 
-/// Ends captions where it is not the same rule for all.
-std::string rulesText(const CaseTable &cases)
-{
-    std::string text;
-    bool differ = false;
-    for (std::size_t p = 0; p < cases.planners.size(); ++p)
-    {
-        differ = differ || cases.rules[p] != cases.rules.front();
-        text += (text.empty() ? "" : ", ") + oneLine(cases.name(p));
-    }
-    return differ ? " Motion rules: " + text + "." : "";
-}
-
 } // namespace
 
 Figure cactusFigure(const FigureList &figures, const CaseTable &cases, std::string_view column,
@@ -83,8 +70,8 @@ Figure cactusFigure(const FigureList &figures, const CaseTable &cases, std::stri
         "Cactus plot of {}{} over the {} that have a solution: a point (x, y) says that the x instances that "
         "are easiest for that planner each needed at most y. Further right is better, lower is better; a "
         "curve ends at the number of instances that the planner solved, and the axis at the number of "
-        "all.{}",
-        spaced(column), where, casesText(solvable), rulesText(cases));
+        "all.",
+        spaced(column), where, casesText(solvable));
     return figure;
 }
 
@@ -119,9 +106,9 @@ Figure profileFigure(const FigureList &figures, const CaseTable &cases, std::str
                                  "the best planner of that instance "
                                  "needs. At x = 1: how often it is best{}; at the right edge: how often it "
                                  "solves at all. Failures are never "
-                                 "below the curve.{}",
+                                 "below the curve.",
                                  spaced(column), where, casesText(finished),
-                                 isTime ? ", or within a tenth or 0.1 ms of the best" : "", rulesText(cases));
+                                 isTime ? ", or within a tenth or 0.1 ms of the best" : "");
     return figure;
 }
 
@@ -141,8 +128,8 @@ Figure ecdfFigure(const FigureList &figures, const CaseTable &cases, std::string
     figure.caption = fmt::format(
         "Empirical distribution of {}{} over the {} that have a solution: the share of them, failures "
         "included, that were solved with at most x. Each curve ends at the share that the planner "
-        "solved.{}",
-        spaced(column), where, casesText(solvable), rulesText(cases));
+        "solved.",
+        spaced(column), where, casesText(solvable));
     return figure;
 }
 
@@ -183,10 +170,10 @@ Figure boxesFigure(const FigureList &figures, const CaseTable &cases, std::strin
         "whiskers: the "
         "farthest values within 1.5 quartile distances; markers: values beyond. In brackets: how many "
         "instances the box "
-        "stands for, of how many that count for the planner.{}{}",
+        "stands for, of how many that count for the planner.{}",
         measureName(column), over, where, counted(common.cases.size(), "instance"),
         leftOut.empty() ? "" : " (not shown, for having solved too few of the same: " + leftOut + ")",
-        bound.empty() ? "" : " Dashed: the bound, which no solution can beat.", rulesText(cases));
+        bound.empty() ? "" : " Dashed: the bound, which no solution can beat.");
     return figure;
 }
 
@@ -277,9 +264,9 @@ Figure ranksFigure(const FigureList &figures, const CaseTable &cases, std::strin
         "Bars join "
         "planners whose "
         "ranks lie within Nemenyi's critical difference of {:.2f} at level 0.05, so that they are not told "
-        "apart.{}",
+        "apart.",
         spaced(column), where, test.problems, *test.p < 0.001 ? "< 0.001" : fmt::format("= {:.3f}", *test.p),
-        *test.p < 0.05 ? "differ" : "are not shown to differ", test.criticalDifference, rulesText(cases));
+        *test.p < 0.05 ? "differ" : "are not shown to differ", test.criticalDifference);
     return figure;
 }
 

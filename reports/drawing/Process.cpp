@@ -37,8 +37,9 @@ pid_t spawn(const std::vector<std::string> &arguments, const std::filesystem::pa
     return child;
 }
 
-/// Collects what comes out until the other end closes; false where the deadline came first. A look that comes far
-/// too late was held up by a pause of this process (stopped, the machine asleep), which puts the deadline off.
+/// Collects what comes out until the other end closes; false where the deadline came first. A look that comes
+/// far too late was held up by a pause of this process (stopped, the machine asleep), which puts the deadline
+/// off.
 bool collect(int source, Clock::time_point &deadline, std::string &output)
 {
     constexpr std::size_t kKept = std::size_t{64} << 10;

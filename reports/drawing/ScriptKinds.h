@@ -33,8 +33,8 @@ struct MeasureScale
 void addMarkers(std::vector<std::string> &items, const std::string &data, const std::string &columns,
                 const CurveStyle &style);
 
-/// Writes $values_i (place, median, solved, of how many), $band_i (place, quartiles, 1 where it stands alone)
-/// and $success_i of curves and comparisons. \param shift of the i-th series along the places
+/// Writes $values_i (place, median, solved, of how many), $band_i (place, quartiles, 1 where it stands alone,
+/// median) and $success_i of curves and comparisons. \param shift of the i-th series along the places
 void writePoints(Script &script, const Figure &figure, double unit, const std::vector<double> &shift);
 
 /// Whether $band_i, and whether $success_i, has rows.

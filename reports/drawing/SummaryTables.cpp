@@ -3,6 +3,7 @@
 #include "framework/support/Config.h"
 #include "framework/support/Profiles.h"
 #include "framework/support/Proportion.h"
+#include "framework/support/ReadableText.h"
 #include "reports/drawing/CampaignFigures.h"
 #include "reports/drawing/Numbers.h"
 #include "reports/drawing/Text.h"
@@ -15,6 +16,7 @@
 #include <map>
 #include <tuple>
 #include <unordered_map>
+#include <utility>
 
 namespace mrpp
 {
@@ -278,6 +280,40 @@ std::string withoutNumbers(const std::string &message)
     return kind;
 }
 
+/// The last three lines that say something, in one, as far as a table has room.
+std::string lastLines(const std::string &text)
+{
+    constexpr std::size_t kLines = 3;
+    constexpr std::size_t kMost = 240; // bytes
+    std::string last;
+    std::size_t end = text.size();
+    for (std::size_t lines = 0; lines < kLines && end != std::string::npos && end > 0;)
+    {
+        const std::size_t begin = text.rfind('\n', end - 1);
+        const std::size_t first = begin == std::string::npos ? 0 : begin + 1;
+        const std::string line = oneLine(text.substr(first, end - first));
+        if (line.find_first_not_of(' ') != std::string::npos)
+        {
+            last = last.empty() ? line : line + " / " + last;
+            ++lines;
+        }
+        end = begin;
+    }
+    return last.size() <= kMost ? last : "…" + std::string(tail(last, kMost));
+}
+
+/// Why it ended so, and what its program said last.
+std::string reasonAndWords(const RunRecord &record)
+{
+    std::string text = record.reason;
+    for (const auto &[column, stream] :
+         {std::pair("error_output", "standard error"), std::pair("standard_output", "standard output")})
+        if (const auto found = record.extra.find(column); found != record.extra.end())
+            if (const std::string words = lastLines(toText(found->second)); !words.empty())
+                text += (text.empty() ? "" : "; ") + fmt::format("{}: {}", stream, words);
+    return text;
+}
+
 } // namespace
 
 SummaryTable failureTable(std::span<const RunRecord> records, std::size_t limit)
@@ -325,7 +361,7 @@ SummaryTable failureTable(std::span<const RunRecord> records, std::size_t limit)
             {{failure.first->planner},
              {spaced(toString(failure.first->status)), isInvalid ? Emphasis::warning : Emphasis::none},
              {std::to_string(failure.count)},
-             {failure.first->reason},
+             {reasonAndWords(*failure.first)},
              {failure.first->caseId},
              {failure.first->runKey}});
     }

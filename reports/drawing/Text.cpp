@@ -1,5 +1,7 @@
 #include "reports/drawing/Text.h"
 
+#include "framework/support/ReadableText.h"
+
 #include <algorithm>
 #include <cstdint>
 
@@ -8,33 +10,6 @@ namespace mrpp
 
 namespace
 {
-
-/// Length in bytes of the well-formed UTF-8 sequence at the front (Unicode standard, table 3-7); 0 where
-/// there is none.
-std::size_t sequenceLength(std::string_view text)
-{
-    const auto byte = [&text](std::size_t i)
-    { return i < text.size() ? static_cast<std::uint8_t>(text[i]) : std::uint8_t{0}; };
-    const auto continues = [&byte](std::size_t i) { return (byte(i) & 0xC0U) == 0x80U; };
-    const std::uint8_t first = byte(0);
-    if (first < 0x80)
-        return 1;
-    if (first >= 0xC2 && first <= 0xDF)
-        return continues(1) ? 2 : 0;
-    if (first >= 0xE0 && first <= 0xEF)
-    {
-        const bool overlong = first == 0xE0 && byte(1) < 0xA0;
-        const bool surrogate = first == 0xED && byte(1) > 0x9F;
-        return continues(1) && continues(2) && !overlong && !surrogate ? 3 : 0;
-    }
-    if (first >= 0xF0 && first <= 0xF4)
-    {
-        const bool overlong = first == 0xF0 && byte(1) < 0x90;
-        const bool tooLarge = first == 0xF4 && byte(1) > 0x8F;
-        return continues(1) && continues(2) && continues(3) && !overlong && !tooLarge ? 4 : 0;
-    }
-    return 0;
-}
 
 std::string clean(std::string_view text, bool keepLines)
 {

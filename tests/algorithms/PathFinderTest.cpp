@@ -71,6 +71,95 @@ TEST(PathFinder, FindsCheapestPathsAmongPricesAndWalls)
     }
 }
 
+std::uint64_t costOf(const std::vector<Vertex> &path, const std::vector<PathFinder::Cost> &prices)
+{
+    std::uint64_t cost = 0;
+    for (std::size_t i = 1; i < path.size(); ++i)
+        cost += prices[path[i]];
+    return cost;
+}
+
+std::vector<PathFinder::Cost> randomPrices(std::size_t vertices, Random &random)
+{
+    std::vector<PathFinder::Cost> prices(vertices);
+    for (auto &price : prices)
+        price =
+            random.below(4) > 0 ? PathFinder::kStep : static_cast<PathFinder::Cost>(4 + random.below(117));
+    return prices;
+}
+
+/// Grids, trees and sparse graphs side by side, and isolated vertices.
+std::shared_ptr<const Graph> severalComponents(Seed seed)
+{
+    std::vector<Graph::Edge> edges;
+    Vertex vertices = 2;
+    for (const auto &part :
+         {test::gridGraph(30, 20), test::randomConnectedGraph(60, 0, seed),
+          test::randomConnectedGraph(400, 100, seed), test::randomConnectedGraph(2, 0, seed)})
+    {
+        for (const Graph::Edge &edge : part->edges())
+            edges.push_back({edge.a + vertices, edge.b + vertices});
+        vertices += static_cast<Vertex>(part->vertexCount()) + 1;
+    }
+    return Graph::fromEdges(vertices, edges);
+}
+
+TEST(PathFinder, KeepsThePromiseOfEveryWeightAndVisitsNothingTwice)
+{
+    Random random(11);
+    for (Seed seed = 1; seed <= 6; ++seed)
+    {
+        const auto graph = severalComponents(seed);
+        const Landmarks landmarks(*graph);
+        const auto prices = randomPrices(graph->vertexCount(), random);
+        for (const double weight : {0.0, 1.0, 1.25, 1.5, 2.0})
+        {
+            PathFinder finder(*graph, landmarks);
+            if (weight > 0)
+                finder.fixWeight(weight);
+            for (int query = 0; query < 12; ++query)
+            {
+                const auto from = static_cast<Vertex>(random.below(graph->vertexCount()));
+                const auto to = static_cast<Vertex>(random.below(graph->vertexCount()));
+                const auto &path = finder.find(from, to, [&](Vertex v) { return prices[v]; });
+                const auto expected = cheapest(*graph, from, to, prices);
+                ASSERT_EQ(path.empty(), !expected.has_value());
+                EXPECT_LE(finder.visits(), graph->vertexCount());
+                if (weight > 0)
+                {
+                    EXPECT_EQ(finder.weight(), weight);
+                }
+                EXPECT_LE(finder.weight(), PathFinder::kMostWeight);
+                if (expected)
+                {
+                    EXPECT_LE(static_cast<double>(costOf(path, prices)),
+                              finder.weight() * static_cast<double>(*expected));
+                }
+            }
+        }
+    }
+}
+
+/// No search is any the worse for those before it.
+TEST(PathFinder, LearnsItsWeightAnewInEverySearch)
+{
+    const auto graph = test::gridGraph(200, 200);
+    const Landmarks landmarks(*graph);
+    PathFinder finder(*graph, landmarks);
+    Random random(5);
+    const auto prices = randomPrices(graph->vertexCount(), random);
+    const auto last = static_cast<Vertex>(graph->vertexCount() - 1);
+    for (int i = 0; i < 100; ++i)
+    {
+        (void)finder.find(0, last, [&](Vertex v) { return prices[v]; });
+        EXPECT_GT(finder.weight(), 1);
+        EXPECT_LT(finder.weight(), PathFinder::kMostWeight);
+    }
+    const auto &path = finder.find(0, last, [](Vertex) { return PathFinder::kStep; });
+    EXPECT_EQ(path.size(), 399U);
+    EXPECT_EQ(finder.weight(), 1);
+}
+
 /// Where every fifth vertex is dear, the bounds promise too much, and A* alone would look at an area.
 TEST(PathFinder, StaysNearThePathOnLargeGraphs)
 {

@@ -99,8 +99,8 @@ const char *const kWarehouse = "movingai/mapf/warehouse-10-20-10-2-1.map";
 INSTANTIATE_TEST_SUITE_P(
     PushAndSwap, PeerCases,
     testing::Values(
-        PeerCase{"push_and_swap", "AR0603SR_600", kGameMap, "AR0603SR.scen", 600, 130, 1.01},
-        PeerCase{"push_and_swap", "AR0603SR_2000", kGameMap, "AR0603SR.scen", 2000, 600, 1.01},
+        PeerCase{"push_and_swap", "AR0603SR_600", kGameMap, "AR0603SR.scen", 600, 200, 1.001},
+        PeerCase{"push_and_swap", "AR0603SR_2000", kGameMap, "AR0603SR.scen", 2000, 900, 1.01},
         PeerCase{"push_and_swap", "random_400", kRandomMap, "random-64-64-20.scen", 400, 5000, 1.06},
         PeerCase{"push_and_swap", "random_2000", kRandomMap, "random-64-64-20.scen", 2000, 20000, 1.9},
         PeerCase{"push_and_swap", "warehouse_400", kWarehouse, "warehouse-10-20-10-2-1.scen", 400, 5000,

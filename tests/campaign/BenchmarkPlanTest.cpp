@@ -1,4 +1,5 @@
 #include "framework/campaign/BenchmarkPlan.h"
+#include "framework/campaign/Configuration.h"
 
 #include "framework/support/Error.h"
 #include "framework/support/File.h"
@@ -148,6 +149,9 @@ TEST(Expand, DoesNotMindTheOrderAndSpellingOfSettings)
     plan.planners[0].settings = {{"detours", "2"}, {"pause", "0.5"}};
     BenchmarkPlan other = plan;
     other.planners[0].settings = {{"pause", "0.50"}, {"detours", "2"}};
+    const Catalog catalog = fixtures::catalog();
+    resolve(plan, catalog);
+    resolve(other, catalog);
     EXPECT_EQ(keys(other), keys(plan));
 }
 
@@ -195,7 +199,7 @@ TEST(Expand, ReadsInputFilesForTheKeys)
     EXPECT_EQ(before[0].instanceSeed, after[0].instanceSeed);
 
     std::filesystem::remove(file);
-    EXPECT_THROW((void)expand(plan), FileError);
+    EXPECT_THROW((void)expand(plan), InputError);
     const auto blind = expand(plan, MissingInput::tolerate);
     ASSERT_EQ(blind.size(), 1U);
     EXPECT_EQ(blind[0].runKey, "");

@@ -303,8 +303,8 @@ std::string timeless(RunRecord record)
     record.time.reset();
     record.setupTime.reset();
     record.optimizationTime.reset();
-    for (auto *measured :
-         {&record.memory, &record.cpuTime, &record.timeMin, &record.timeMax, &record.timeIqr, &record.load})
+    for (auto *measured : {&record.memory, &record.cpuTime, &record.timeMin, &record.timeMax, &record.timeIqr,
+                           &record.load, &record.boundTime})
         measured->reset();
     record.cores.clear();
     record.limitMeans.clear();

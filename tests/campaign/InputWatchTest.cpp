@@ -2,8 +2,8 @@
 
 #include "framework/Benchmark.h"
 #include "framework/campaign/ResultStore.h"
-#include "framework/support/HarnessError.h"
 #include "framework/support/File.h"
+#include "framework/support/HarnessError.h"
 #include "tests/campaign/Fixtures.h"
 
 #include <gmock/gmock.h>

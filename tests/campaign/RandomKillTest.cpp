@@ -1,7 +1,7 @@
 /// \file
-/// A campaign of 2004 runs in workers whose processes are killed, or stopped and continued, at random moments,
-/// and which is started again each time its own process was killed. MRPP_KILLS says how often; a few by
-/// default.
+/// A campaign of 2004 runs in workers whose processes are killed, or stopped and continued, at random
+/// moments, and which is started again each time its own process was killed. MRPP_KILLS says how often; a few
+/// by default.
 
 #include "framework/Benchmark.h"
 #include "framework/campaign/ResultStore.h"

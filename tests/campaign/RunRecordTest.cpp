@@ -175,7 +175,17 @@ TEST(RunRecordJson, HasTheColumnsOfSolve)
   "makespan_lower_bound": null,
   "solvable": "",
   "unsolvable_reason": "",
-  "rule": ""
+  "cpu_time": null,
+  "timed": null,
+  "time_min": null,
+  "time_max": null,
+  "time_iqr": null,
+  "rule": "",
+  "path_length_bound_name": "",
+  "makespan_bound_name": "",
+  "sum_of_costs_lower_bound": null,
+  "sum_of_costs_bound_name": "",
+  "bound_time": null
 }
 )");
 }

@@ -237,6 +237,31 @@ TEST(Campaign, aReportNeedsNeitherTheMapsNorTheFirstPlace)
     EXPECT_THAT(unknown.err, HasSubstr("did you mean 'csv'?"));
 }
 
+TEST(Campaign, saysInADryRunWhatRepetitionsCannotTeach)
+{
+    const Scratch scratch;
+    const auto dryRun = [&scratch](const std::string &repetitions, const std::string &problem)
+    {
+        scratch.write(
+            "plan.yaml",
+            "repetitions: " + repetitions + "\nproblems: [" + problem + "]\n" +
+                "planners: [push_and_rotate, {planner: push_and_rotate, name: many, set: "
+                "{restarts: 20}}, {planner: push_and_swap, name: any order, set: {order: random}}]\n");
+        const Outcome outcome = mrppsim({"run", "plan.yaml", "--dry-run"}, scratch);
+        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        return outcome.out;
+    };
+    EXPECT_THAT(
+        dryRun("20", "small_benchmark: tunnel"),
+        HasSubstr(
+            "note: there is no chance in small_benchmark/tunnel: 20 repetitions are copies of one instance, "
+            "which count once in reports; push_and_rotate, without chance too, will give the same answer to "
+            "each of them (only times may differ)\n"));
+    EXPECT_THAT(dryRun("1", "small_benchmark: tunnel"), ::testing::Not(HasSubstr("no chance")));
+    EXPECT_THAT(dryRun("20", "fg_vr: {graph: {grid: {side: 4}}, robots: [3]}"),
+                ::testing::Not(HasSubstr("no chance")));
+}
+
 TEST(Campaign, aDryRunSaysAndWritesNothingElse)
 {
     const Scratch scratch;
@@ -258,7 +283,7 @@ problems: [small_benchmark: [tree, theta]]
 planners:
   - {planner: push_and_swap, name: "`touch owned1`"}
   - {planner: push_and_swap, name: "$(touch owned2) \"quoted\" 'single'"}
-  - {planner: push_and_swap, name: "two\nlines; system('touch owned3')"}
+  - {planner: push_and_swap, name: "one line; system('touch owned3')"}
   - {planner: push_and_swap, name: "../../outside, with a comma & <tags> \\ {x}_y^z %s"}
 keep: {instances: true, solutions: true}
 )yaml");
@@ -270,7 +295,7 @@ keep: {instances: true, solutions: true}
     std::set<std::string> names;
     for (const auto &row : rows)
         names.insert(row.at(static_cast<std::size_t>(column)));
-    EXPECT_TRUE(names.contains("two\nlines; system('touch owned3')"));
+    EXPECT_TRUE(names.contains("one line; system('touch owned3')"));
     EXPECT_TRUE(names.contains("$(touch owned2) \"quoted\" 'single'"));
     for (const auto &[name, contents] : scratch.tree())
     {

@@ -23,6 +23,13 @@ constexpr const char *kLimits = "ulimit -t 20"; // sanitizers map more memory th
 constexpr const char *kLimits = "ulimit -t 3; ulimit -v 1000000"; // seconds of processor time, KiB
 #endif
 
+/// A good file of a format that is never written.
+std::string foreign(const FileFormat &format)
+{
+    EXPECT_EQ(format.name, "matrix_market");
+    return "%%MatrixMarket matrix coordinate pattern symmetric\n3 3 2\n2 1\n3 2\n";
+}
+
 /// A good file of the format in the scratch folder, beside `room-even-1.scen`, `room.map` and `moves.csv`.
 void writeGood(const FileFormat &format, const Scratch &scratch)
 {
@@ -31,6 +38,11 @@ void writeGood(const FileFormat &format, const Scratch &scratch)
     const auto graph = loadGraph(at("room.map")).graph;
     saveInstance(at("room-even-1.scen"), {graph, {0, 6}, {2, 3}}, at("room.map"));
     scratch.write("moves.csv", "step,robot,from,to\n0,0,0,1\n0,1,6,3\n1,0,1,2\n");
+    if (!format.writes)
+    {
+        scratch.write("good", foreign(format));
+        return;
+    }
     const char *source = format.holds == "graph"              ? "room.map"
                          : format.holds.ends_with("instance") ? "room-even-1.scen"
                                                               : "moves.csv";

@@ -65,7 +65,8 @@ TEST(Disk, aFolderThatCannotBeWrittenIsRefused)
 TEST(Disk, aPoorFileSystemStillKeepsACampaign)
 {
     const std::vector<std::pair<std::string, std::string>> lacking = {
-        {"maps", "note: out: this file system has no shared memory: results are kept with a rollback journal"},
+        {"maps",
+         "note: out: this file system has no shared memory: results are kept with a rollback journal"},
         {"locks", "note: out: this file system has no locks: run one campaign in it at a time"},
         {"locks maps", "note: out: this file system has no locks"},
         {"chmod", ""}};

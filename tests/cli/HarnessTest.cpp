@@ -26,9 +26,10 @@ namespace fs = std::filesystem;
 constexpr const char *kYard = "type octile\nheight 3\nwidth 4\nmap\n....\n.@@.\n....\n";
 
 /// A script that waits and then solves: SECONDS GRAPH INSTANCE OUTPUT.
-const std::string kSolver = std::string("#!/bin/sh\nsleep $1\nexec ") + MRPP_PROGRAM +
-                            " solve --graph \"$2\" --instance \"$3\" --planner push_and_swap --solution \"$4\" "
-                            "> /dev/null\n";
+const std::string kSolver =
+    std::string("#!/bin/sh\nsleep $1\nexec ") + MRPP_PROGRAM +
+    " solve --graph \"$2\" --instance \"$3\" --planner push_and_swap --solution \"$4\" "
+    "> /dev/null\n";
 
 /// A plan of one-robot cases on those maps for a planner that needs so long.
 std::string plan(const std::string &seconds, const std::string &maps = "a.map", int repetitions = 1)
@@ -37,6 +38,12 @@ std::string plan(const std::string &seconds, const std::string &maps = "a.map", 
            "\nproblems:\n  - public_benchmark: {map: [" + maps +
            "], robots: [1]}\nplanners:\n  - {command: \"./solver.sh " + seconds +
            " {graph} {instance} {output}\", name: solver}\nreports: [csv]\n";
+}
+
+void setSolver(const Scratch &scratch, const std::string &text)
+{
+    scratch.write("solver.sh", text);
+    fs::permissions(scratch.path() / "solver.sh", fs::perms::owner_all);
 }
 
 void prepare(const Scratch &scratch, const std::string &text)
@@ -50,7 +57,7 @@ void prepare(const Scratch &scratch, const std::string &text)
 
 std::vector<RunRecord> records(const Scratch &scratch, const std::string &folder = "out")
 {
-    if (!scratch.has(folder + "/results.sqlite"))
+    if (!scratch.has(folder + "/provenance.json")) // written when the store is there
         return {};
     return ResultStore(scratch.path() / folder, ResultStore::Access::read).records();
 }
@@ -101,7 +108,7 @@ TEST(Harness, NoRoomForAnAnswerEndsTheCampaign)
 {
     const Scratch scratch;
     prepare(scratch, plan("0"));
-    scratch.write("solver.sh", "#!/bin/sh\nhead -c 100000 /dev/zero > $4; exit 0\n");
+    setSolver(scratch, "#!/bin/sh\nhead -c 100000 /dev/zero > $4; exit 0\n");
     fs::create_directory(scratch.path() / "full");
     const std::string mount = "mount -t tmpfs -o size=60k none full 2>/dev/null || exit 99; ";
     const Outcome outcome =
@@ -201,7 +208,7 @@ TEST(Harness, LeavesNothingInTheTemporaryFolderHoweverItEnds)
         const Scratch scratch;
         fs::create_directory(scratch.path() / "t");
         prepare(scratch, plan("100"));
-        scratch.write("solver.sh", "#!/bin/sh\nhead -c 3000000 /dev/zero > \"$4\"\nsleep 60\n");
+        setSolver(scratch, "#!/bin/sh\nhead -c 3000000 /dev/zero > \"$4\"\nsleep 60\n");
         const auto isEmpty = [&scratch] { return fs::is_empty(scratch.path() / "t"); };
         Process campaign({"env", "TMPDIR=t", MRPP_PROGRAM, "run", "plan.yaml", "-q", "-o", "out"}, scratch);
         waitUntil([&isEmpty] { return !isEmpty(); });
@@ -220,12 +227,11 @@ TEST(Harness, CountsTheMemoryThatOutsideProgramsUseAndNotTheirAddresses)
     for (const std::string &before : {std::string(), withoutGroups})
     {
         const Scratch scratch;
-        prepare(scratch,
-                "campaign: c\nlimits: {time: 5 s, memory: 150 MB}\nproblems:\n"
-                "  - public_benchmark: {map: a.map, robots: 1}\nplanners:\n"
-                "  - {command: \"" MRPP_THREADS " 400 20 0.3 {instance} {output}\", name: many}\n"
-                "  - {command: \"" MRPP_THREADS " 400 200 3 {instance} {output}\", name: large}\n"
-                "reports: [csv]\n");
+        prepare(scratch, "campaign: c\nlimits: {time: 60 s, memory: 150 MB}\nproblems:\n"
+                         "  - public_benchmark: {map: a.map, robots: 1}\nplanners:\n"
+                         "  - {command: \"" MRPP_THREADS " 400 20 0.3 {instance} {output}\", name: many}\n"
+                         "  - {command: \"" MRPP_THREADS " 400 200 3 {instance} {output}\", name: large}\n"
+                         "reports: [csv]\n");
         const Outcome outcome = Process({"unshare", "-m", "sh", "-c", before + kRun}, scratch).wait();
         if (records(scratch).empty())
             GTEST_SKIP() << "this user may mount nothing: " << outcome.err;
@@ -291,7 +297,7 @@ TEST(Harness, MissingProgramsAreSaidWhereNothingRuns)
     fs::remove(scratch.path() / "solver.sh");
     const std::string note = "note: plan.yaml:6:15: there is no program './solver.sh'";
     EXPECT_THAT(mrppsim({"run", "plan.yaml", "--dry-run"}, scratch).err, HasSubstr(note));
-    const Outcome slurm = mrppsim({"slurm", "plan.yaml", "-o", "jobs"}, scratch);
+    const Outcome slurm = mrppsim({"slurm", "plan.yaml", "-o", "jobs", "--shards", "2"}, scratch);
     EXPECT_THAT(slurm.err, HasSubstr(note));
 }
 
@@ -316,7 +322,7 @@ TEST(Harness, LimitsOfTheSystemAreNoDefects)
     const Outcome longName = mrppsim({"run", "plan.yaml", "-q", "-o", std::string(300, 'x')}, scratch);
     EXPECT_EQ(longName.code, 2) << longName.err;
     EXPECT_THAT(longName.err, HasSubstr("File name too long"));
-    const Outcome files = shell("ulimit -n 6; " + kRun, scratch);
+    const Outcome files = shell("exec 3>&- 4>&- 5>&- 6>&- 7>&- 8>&- 9>&-; ulimit -n 6; " + kRun, scratch);
     EXPECT_EQ(files.code, 2) << files.err;
     EXPECT_THAT(files.err, ::testing::Not(HasSubstr("defect")));
     for (const RunRecord &record : records(scratch))

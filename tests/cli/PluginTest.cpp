@@ -95,8 +95,8 @@ TEST(Plugin, whoseMetricFailsSpoilsOneCellAndNobodyIsBlamed)
             scratch.write("plan.yaml", "problems: [small_benchmark: tree]\nplanners: [push_and_swap]\n"
                                        "limits: {time: 0.2 s}\nexecution: {isolation: " +
                                            isolation + "}\nreports: [csv]\n");
-            const Outcome outcome = Process({"env", "MRPP_FAULT=" + way, MRPP_PROGRAM, "run", "plan.yaml", "-o",
-                                             "out", "--plugin", MRPP_FAULTY_PLUGIN},
+            const Outcome outcome = Process({"env", "MRPP_FAULT=" + way, MRPP_PROGRAM, "run", "plan.yaml",
+                                             "-o", "out", "--plugin", MRPP_FAULTY_PLUGIN},
                                             scratch)
                                         .wait();
             EXPECT_EQ(outcome.code, 0) << outcome.err;

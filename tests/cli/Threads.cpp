@@ -1,5 +1,5 @@
-// `threads COUNT MEGABYTES [SECONDS]` starts that many threads with stacks of 8 MB, each of which waits, and fills
-// that much memory, as published planners do that start a thread a robot.
+// `threads COUNT MEGABYTES [SECONDS]` starts that many threads with stacks of 8 MB, each of which waits, and
+// fills that much memory, as published planners do that start a thread a robot.
 
 #include <chrono>
 #include <cstdio>

@@ -66,5 +66,65 @@ TEST(Landmarks, ServeAnEmptyGraphAndSeveralComponents)
     EXPECT_LE(landmarks.lowerBound(0, 1), 1U);
 }
 
+/// A grid and whatever comes after it.
+std::shared_ptr<const Graph> gridAnd(std::size_t isolated, const Graph *other)
+{
+    const auto grid = test::gridGraph(20, 15);
+    std::vector<Graph::Edge> edges = grid->edges();
+    const auto first = static_cast<Vertex>(grid->vertexCount() + isolated);
+    if (other != nullptr)
+        for (const Graph::Edge &edge : other->edges())
+            edges.push_back({edge.a + first, edge.b + first});
+    return Graph::fromEdges(first + (other == nullptr ? 0 : other->vertexCount()), edges);
+}
+
+TEST(Landmarks, OfAComponentDoNotDependOnTheRestOfTheGraph)
+{
+    const Landmarks alone(*gridAnd(0, nullptr));
+    const auto tree = test::randomConnectedGraph(500, 0, 1);
+    const Landmarks inCompany(*gridAnd(15, tree.get()));
+    for (Vertex v = 0; v < 300; ++v)
+        for (Vertex t = 0; t < 300; ++t)
+            ASSERT_EQ(alone.lowerBound(v, t), inCompany.lowerBound(v, t));
+    const Landmarks ofTree(*tree);
+    for (Vertex v = 0; v < 500; ++v)
+        ASSERT_EQ(ofTree.lowerBound(v, 7), inCompany.lowerBound(v + 315, 7 + 315));
+    ASSERT_EQ(inCompany.centers().size(), 17U);
+    EXPECT_EQ(inCompany.centers()[0], alone.centers()[0]);
+    EXPECT_EQ(inCompany.centers()[16], ofTree.centers()[0] + 315);
+}
+
+TEST(Landmarks, SeeTheMiddleOfEachComponent)
+{
+    // A cross of arms of two, an isolated vertex, a path of three.
+    const auto graph = Graph::fromEdges(
+        13, {{0, 1}, {1, 4}, {2, 3}, {3, 4}, {4, 5}, {5, 6}, {4, 7}, {7, 8}, {10, 11}, {11, 12}});
+    const Landmarks landmarks(*graph);
+    ASSERT_EQ(landmarks.centers().size(), 3U);
+    EXPECT_EQ(landmarks.centers()[0], 4U);
+    EXPECT_EQ(landmarks.centers()[1], 9U);
+    EXPECT_EQ(landmarks.centers()[2], 11U);
+}
+
+TEST(Landmarks, KnowDistancesOfSmallComponentsExactly)
+{
+    const auto graph = test::randomConnectedGraph(16, 5, 3);
+    const Landmarks landmarks(*graph);
+    for (Vertex v = 0; v < 16; ++v)
+    {
+        const auto distances = distancesFrom(*graph, v);
+        for (Vertex w = 0; w < 16; ++w)
+            EXPECT_EQ(landmarks.lowerBound(v, w), distances[w]);
+    }
+}
+
+TEST(Landmarks, AreFewerWhereTimeIsOver)
+{
+    const auto graph = test::gridGraph(10, 10);
+    const Landmarks none(*graph, TerminationCondition::when([] { return true; }));
+    EXPECT_EQ(none.lowerBound(0, 99), 0U);
+    EXPECT_EQ(none.centers().size(), 1U);
+}
+
 } // namespace
 } // namespace mrpp

@@ -73,17 +73,17 @@ TEST(ProcessState, TakesBackWhatCanBeTakenBack)
             ::sigaction(SIGTERM, nullptr, &action);
             sigset_t blocked;
             ::pthread_sigmask(SIG_SETMASK, nullptr, &blocked);
-            return std::filesystem::current_path() != folder       ? 2
-                   : ::umask(0) != 022                             ? 3
-                   : now.rlim_cur != descriptors.rlim_cur          ? 4
-                   : action.sa_handler != SIG_DFL                  ? 5
-                   : ::sigismember(&blocked, SIGUSR1) != 0         ? 6
-                   : ::alarm(0) != 0                               ? 7
-                   : std::string(std::getenv("MRPP_TEST")) != "before" ? 8
-                   : std::getenv("PATH") == nullptr                ? 9
+            return std::filesystem::current_path() != folder             ? 2
+                   : ::umask(0) != 022                                   ? 3
+                   : now.rlim_cur != descriptors.rlim_cur                ? 4
+                   : action.sa_handler != SIG_DFL                        ? 5
+                   : ::sigismember(&blocked, SIGUSR1) != 0               ? 6
+                   : ::alarm(0) != 0                                     ? 7
+                   : std::string(std::getenv("MRPP_TEST")) != "before"   ? 8
+                   : std::getenv("PATH") == nullptr                      ? 9
                    : std::string(std::setlocale(LC_ALL, nullptr)) != "C" ? 10
-                   : std::fegetround() != FE_TONEAREST             ? 11
-                                                                   : 0;
+                   : std::fegetround() != FE_TONEAREST                   ? 11
+                                                                         : 0;
         });
     EXPECT_EQ(complaint, 0);
 }

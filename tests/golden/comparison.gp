@@ -9,16 +9,16 @@ label_1 = 'fails often (8/8 solved)'
 row_0 = 'tree'
 row_1 = 'grid 100%%'
 $values_0 << e
--0.2 5.635 5.2675 6.125 4 4 0
-0.8 9.315 8.7075 10.125 4 4 0
+-0.2 5.635 4 4
+0.8 9.315 4 4
 e
 $success_0 << e
 -0.2 100
 0.8 100
 e
 $values_1 << e
-0.2 7.3255 6.84775 7.9625 4 4 0
-1.2 12.1095 11.31975 13.1625 4 4 0
+0.2 7.3255 4 4
+1.2 12.1095 4 4
 e
 $success_1 << e
 0.2 100
@@ -41,7 +41,7 @@ set rmargin at screen 0.78125
 set bmargin at screen 0.40763
 set tmargin at screen 0.80924
 unset logscale x
-set xrange [0:13.95225]
+set xrange [0:12.83607]
 set xtics ('0' 0, '2' 2, '4' 4, '6' 6, '8' 8, '10' 10, '12' 12)
 set yrange [1.5:-0.5]
 set ytics (row_0 0, row_1 1) scale 0
@@ -49,15 +49,13 @@ set grid noytics
 set xlabel measure_text noenhanced
 set title title_text noenhanced font title_font offset 0,-0.2
 set key at screen 0.04,0.03012 left bottom vertical Left reverse noenhanced samplen 3 spacing 1.1 width -1 maxrows 1
-plot $values_0 using 2:1:3:4 with xerrorbars ps 0 lw 1 lc rgb '#0072b2' notitle, \
-     $values_0 using ($5==$6?$2:NaN):1 with points pt 7 ps 0.7 lc rgb '#0072b2' notitle, \
-     $values_0 using ($5<$6?$2:NaN):1 with points pt 7 ps 0.7 lc rgb '#ffffff' notitle, \
-     $values_0 using ($5<$6?$2:NaN):1 with points pt 6 ps 0.7 lc rgb '#0072b2' notitle, \
+plot $values_0 using ($3==$4?$2:NaN):1 with points pt 7 ps 0.7 lc rgb '#0072b2' notitle, \
+     $values_0 using ($3<$4?$2:NaN):1 with points pt 7 ps 0.7 lc rgb '#ffffff' notitle, \
+     $values_0 using ($3<$4?$2:NaN):1 with points pt 6 ps 0.7 lc rgb '#0072b2' notitle, \
      keyentry with points pt 7 ps 0.7 lc rgb '#0072b2' title label_0, \
-     $values_1 using 2:1:3:4 with xerrorbars ps 0 lw 1 lc rgb '#d55e00' notitle, \
-     $values_1 using ($5==$6?$2:NaN):1 with points pt 5 ps 0.7 lc rgb '#d55e00' notitle, \
-     $values_1 using ($5<$6?$2:NaN):1 with points pt 5 ps 0.7 lc rgb '#ffffff' notitle, \
-     $values_1 using ($5<$6?$2:NaN):1 with points pt 4 ps 0.7 lc rgb '#d55e00' notitle, \
+     $values_1 using ($3==$4?$2:NaN):1 with points pt 5 ps 0.7 lc rgb '#d55e00' notitle, \
+     $values_1 using ($3<$4?$2:NaN):1 with points pt 5 ps 0.7 lc rgb '#ffffff' notitle, \
+     $values_1 using ($3<$4?$2:NaN):1 with points pt 4 ps 0.7 lc rgb '#d55e00' notitle, \
      keyentry with points pt 5 ps 0.7 lc rgb '#d55e00' title label_1
 set lmargin at screen 0.80625
 set rmargin at screen 0.96250

@@ -10,10 +10,10 @@ bound_text = 'lower bound'
 variable_text = 'Robots'
 share_text = 'Solved (%)'
 $values_0 << e
-1 11.5 10.75 12.5 4 4 0
-2 23 21.5 25 4 4 0
-3 34.5 32.25 37.5 4 4 0
-4 46 43 50 4 4 0
+1 11.5 4 4
+2 23 4 4
+3 34.5 4 4
+4 46 4 4
 e
 $success_0 << e
 1 100
@@ -22,10 +22,9 @@ $success_0 << e
 4 100
 e
 $values_1 << e
-1 14.5 13.75 15.75 4 4 1
+1 14.5 4 4
 
-3 39 39 39 1 4 0
-4 59.5 55.75 64.5 4 4 0
+4 59.5 4 4
 e
 $success_1 << e
 1 100
@@ -58,26 +57,22 @@ unset logscale x
 set xrange [0.91:4.09]
 set xtics ('' 1, '' 2, '' 3, '' 4)
 unset logscale y
-set yrange [0:68.37]
+set yrange [0:63.07]
 set ytics ('0' 0, '10' 10, '20' 20, '30' 30, '40' 40, '50' 50, '60' 60)
 set label 1 measure_text at screen 0.03438,0.64613 center rotate noenhanced
 set title title_text noenhanced font title_font offset 0,-0.2
 set key at screen 0.04,0.01249 left bottom vertical Left reverse noenhanced samplen 3 spacing 1.1 width -1 maxrows 2
-plot $values_0 using 1:3:4 with filledcurves fs transparent solid 0.15 noborder lc rgb '#0072b2' notitle, \
-     $values_1 using 1:3:4 with filledcurves fs transparent solid 0.15 noborder lc rgb '#d55e00' notitle, \
-     $bounds using 1:2 with lines lw 1.2 dt (4,4) lc rgb '#606060' notitle, \
+plot $bounds using 1:2 with lines lw 1.2 dt (4,4) lc rgb '#606060' notitle, \
      keyentry with lines lw 1.2 dt (4,4) lc rgb '#606060' title bound_text, \
-     $values_0 using 1:($7==1?$2:NaN):3:4 with yerrorbars ps 0 lw 1 lc rgb '#0072b2' notitle, \
      $values_0 using 1:2 with lines lw 1.5 dt solid lc rgb '#0072b2' notitle, \
-     $values_0 using 1:($5==$6?$2:NaN) with points pt 7 ps 0.7 lc rgb '#0072b2' notitle, \
-     $values_0 using 1:($5<$6?$2:NaN) with points pt 7 ps 0.7 lc rgb '#ffffff' notitle, \
-     $values_0 using 1:($5<$6?$2:NaN) with points pt 6 ps 0.7 lc rgb '#0072b2' notitle, \
+     $values_0 using 1:($3==$4?$2:NaN) with points pt 7 ps 0.7 lc rgb '#0072b2' notitle, \
+     $values_0 using 1:($3<$4?$2:NaN) with points pt 7 ps 0.7 lc rgb '#ffffff' notitle, \
+     $values_0 using 1:($3<$4?$2:NaN) with points pt 6 ps 0.7 lc rgb '#0072b2' notitle, \
      keyentry with linespoints pt 7 ps 0.7 lw 1.5 dt solid lc rgb '#0072b2' title label_0, \
-     $values_1 using 1:($7==1?$2:NaN):3:4 with yerrorbars ps 0 lw 1 lc rgb '#d55e00' notitle, \
      $values_1 using 1:2 with lines lw 1.5 dt (12,5) lc rgb '#d55e00' notitle, \
-     $values_1 using 1:($5==$6?$2:NaN) with points pt 5 ps 0.7 lc rgb '#d55e00' notitle, \
-     $values_1 using 1:($5<$6?$2:NaN) with points pt 5 ps 0.7 lc rgb '#ffffff' notitle, \
-     $values_1 using 1:($5<$6?$2:NaN) with points pt 4 ps 0.7 lc rgb '#d55e00' notitle, \
+     $values_1 using 1:($3==$4?$2:NaN) with points pt 5 ps 0.7 lc rgb '#d55e00' notitle, \
+     $values_1 using 1:($3<$4?$2:NaN) with points pt 5 ps 0.7 lc rgb '#ffffff' notitle, \
+     $values_1 using 1:($3<$4?$2:NaN) with points pt 4 ps 0.7 lc rgb '#d55e00' notitle, \
      keyentry with linespoints pt 5 ps 0.7 lw 1.5 dt (12,5) lc rgb '#d55e00' title label_1
 set lmargin at screen 0.15000
 set rmargin at screen 0.96250

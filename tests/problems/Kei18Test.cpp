@@ -24,10 +24,8 @@ TEST(Kei18Instance, ReadsColumnsBeforeRows)
     const Instance instance = kei18Instance(text, room());
     EXPECT_EQ(instance.starts, (std::vector<Vertex>{4, 2}));
     EXPECT_EQ(instance.goals, (std::vector<Vertex>{3, 4}));
-    EXPECT_EQ(
-        formatKei18Instance(instance, "arena.map"),
-        "map_file=arena.map\nagents=2\nrandom_problem=0\n"
-        "0,1,3,0\n2,0,0,1\n");
+    EXPECT_EQ(formatKei18Instance(instance, "arena.map"), "map_file=arena.map\nagents=2\nrandom_problem=0\n"
+                                                          "0,1,3,0\n2,0,0,1\n");
 }
 
 TEST(Kei18Instance, TheRobotsAreTheFirstLines)

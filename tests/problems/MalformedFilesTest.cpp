@@ -115,7 +115,6 @@ const std::vector<Malformed> kFiles = {
     // Maps
     {"MapEmpty", Kind::map, "", 1, 1, "ends within the header"},
     {"MapOfAnotherFormat", Kind::map, "hello\n", 1, 1, "'hello' is no line of a map's header"},
-    {"MapWithoutType", Kind::map, "height 1\nwidth 2\nmap\n..\n", 3, 1, "lacks a line 'type octile'"},
     {"MapWithoutHeight", Kind::map, "type octile\nwidth 2\nmap\n..\n", 3, 1, "lacks a line 'height <rows>'"},
     {"MapWithoutWidth", Kind::map, "type octile\nheight 1\nmap\n..\n", 3, 1,
      "lacks a line 'width <columns>'"},
@@ -184,7 +183,8 @@ const std::vector<Malformed> kFiles = {
     // GraphML
     {"GraphMlEmpty", Kind::graphMl, "", 1, 1, "not XML"},
     {"GraphMlBlank", Kind::graphMl, "\n  \n", 3, 1, "not XML"},
-    {"GraphMlNoXml", Kind::graphMl, "graph [\n node [ id 0 ]\n]\n", 1, 1, "export the graph as GraphML"},
+    {"GraphMlNoXml", Kind::graphMl, "graph [\n node [ id 0 ]\n]\n", 1, 1,
+     "this is GML (the bracketed format), but expected GraphML"},
     {"GraphMlTextInFront", Kind::graphMl, "hello <graphml/>", 1, 1, "not XML"},
     {"GraphMlFigure1AsPrinted", Kind::graphMl, kFigure1, 28, 3, "an end tag that does not fit"},
     {"GraphMlMissingQuote", Kind::graphMl, graphMl("<edge id=\"e3 source=\"n0\" target=\"n1\"/>"), 4, 22,
@@ -194,8 +194,8 @@ const std::vector<Malformed> kFiles = {
     {"GraphMlCutWithinTag", Kind::graphMl, "<graphml>\n<graph>\n<node id=", 3, 9, "not well-formed XML"},
     {"GraphMlOpenComment", Kind::graphMl, "<graphml>\n<!-- never closed\n</graphml>", 3, 10,
      "a comment that is not"},
-    {"GraphMlOtherRoot", Kind::graphMl, "<?xml version=\"1.0\"?>\n<svg/>", 2, 1,
-     "outermost element is <svg>"},
+    {"GraphMlOtherRoot", Kind::graphMl, "<?xml version=\"1.0\"?>\n<svg/>", 1, 1,
+     "this is an SVG picture, but expected GraphML"},
     {"GraphMlTwoRoots", Kind::graphMl, "<graphml><graph/></graphml>\n<graphml/>", 2, 1,
      "second outermost element"},
     {"GraphMlNoGraph", Kind::graphMl, "<graphml>\n</graphml>", 1, 1, "has no <graph>"},

@@ -126,7 +126,7 @@ TEST_F(OtherTools, TextInGraphMlIsReadWholeOrNotAtAll)
     EXPECT_THAT(complaint([&] { return point("<data key='k'>1 2<!-- and --> 3</data>"); }),
                 HasSubstr("something stands amid the text"));
     EXPECT_THAT(complaint([this] { return loadGraph(file("u.graphml", std::string("\xFF\xFE<\0g\0", 6))); }),
-                HasSubstr("this is UTF-16"));
+                HasSubstr("this is a text in UTF-16"));
 }
 
 TEST_F(OtherTools, NetworkXsEdgesMayHaveAnyData)

@@ -134,8 +134,7 @@ protected:
             loadInstance({GetParam() == Thing::instance ? file : instanceFile(), std::nullopt, std::nullopt});
         if (GetParam() == Thing::instance)
             return {loaded.instance.graph, loaded.instance, std::nullopt};
-        return {nullptr, std::nullopt,
-                scheduleOf(loadSolution(file, loaded), loaded.instance)};
+        return {nullptr, std::nullopt, scheduleOf(loadSolution(file, loaded), loaded.instance)};
     }
 
     /// Expects the same but for what the notes say.

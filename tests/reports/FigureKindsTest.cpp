@@ -70,8 +70,10 @@ TEST(ScatterFigure, KeepsFailuresAndCountsThem)
     const Figure &figure = named(figures, "overall-scatter-path_length-first-second");
     EXPECT_EQ(figure.pairs.size(), 50U);
     EXPECT_FALSE(figure.pairs.back().y);
-    EXPECT_THAT(figure.caption, ::testing::HasSubstr("first needs less (45), below it second (0)"));
-    EXPECT_THAT(figure.caption, ::testing::HasSubstr("0 only by first, 5 only by second, 0 by both"));
+    EXPECT_THAT(figure.caption,
+                ::testing::HasSubstr("first (pebble) needs less (45), below it second (pebble) (0)"));
+    EXPECT_THAT(figure.caption,
+                ::testing::HasSubstr("0 only by first (pebble), 5 only by second (pebble), 0 by both"));
 }
 
 TEST(RanksFigure, CountsFailuresAsWorst)

@@ -56,12 +56,13 @@ TEST(PdfReport, StandsAlone)
 {
     const TemporaryFolder folder;
     const std::string text = reportText(smallCampaign().run(solveSmoothly), folder.path());
-    expectWords(text, {"demo & <b>more</b>", "12 finished of 12 planned: 12 solved, 0 not", "push_and_swap",
-                       "0123456789abcdef0123456789abcdef01234567", "2026-07-31T12:34:56Z",
-                       "Debian GNU/Linux 12", "Every run ended with a valid solution.",
-                       "<i>verbatim</i> & more", "Figure 1. Path length on grid (fg vr) against robots",
-                       "Solved (%)", "Time (ms)", "Figure 6. Success rate on grid",
-                       "tree: 7 vertices, 6 edges, 3 robots", "Of 12 finished runs, 12 solved."});
+    expectWords(text,
+                {"demo & <b>more</b>", "12 finished of 12 planned: 12 solved, 0 not", "push_and_swap",
+                 "0123456789abcdef0123456789abcdef01234567", "2026-07-31T12:34:56Z", "Debian GNU/Linux 12",
+                 "Every run ended with a valid solution.", "<i>verbatim</i> & more",
+                 "Figure 1. Path length on grid (fg vr) against robots", "Solved (%)", "Time (ms)",
+                 "Figure 6. Success rate on grid", "tree: 7 vertices, 6 edges, 3 robots",
+                 "Of 12 finished runs on 6 distinct instances, 12 solved."});
 }
 
 TEST(PdfReport, LinksToFilesBesideItAndWithinItself)
@@ -138,7 +139,7 @@ TEST(PdfReport, ListsFailuresWithTheirReasons)
                                             }),
                                         folder.path());
     expectWords(text, {"12 finished of 12 planned: 0 solved, 12 not", "move 3 enters an occupied vertex",
-                       "no run was solved"});
+                       "nowhere were more than half of the instances solved"});
 }
 
 TEST(PdfReport, OfAnUnfinishedCampaignSaysSo)
@@ -208,6 +209,51 @@ TEST(SummaryTables, MarkTheBestAmongThoseWhoSolvedMost)
     EXPECT_EQ(tables[0].rows[0][3].emphasis, PdfTableCell::Emphasis::none);
     EXPECT_EQ(tables[0].rows[1][3].emphasis, PdfTableCell::Emphasis::best);
     EXPECT_EQ(tables[0].rows[2][3].emphasis, PdfTableCell::Emphasis::none);
+}
+
+TEST(PlannerTable, CountsOutcomesOfDistinctInstances)
+{
+    // Ten instances, each twice; two have no solution, and one is not for the second planner.
+    const ResultTable results =
+        FakeCampaign("outcomes", 20)
+            .planner("gives up")
+            .planner("proves", MotionRule::rotation)
+            .problem("m", "p", treeInstance())
+            .run(
+                [](RunRecord &record, std::size_t planner)
+                {
+                    solveSmoothly(record, planner);
+                    const std::int64_t instance = record.repetition % 10;
+                    record.instanceFingerprint = std::to_string(instance);
+                    record.time = 1;
+                    if (instance < 2)
+                    {
+                        record.solvable = "no";
+                        record.status = planner == 0 ? PlannerStatus::gave_up : PlannerStatus::infeasible;
+                    }
+                    if (instance == 2 && planner == 1)
+                        record.status = PlannerStatus::unsupported;
+                    if (instance == 3)
+                        record.status = PlannerStatus::timeout;
+                });
+    const SummaryTable table = plannerTable(results.records(), 9);
+    ASSERT_EQ(table.rows.size(), 2U);
+    const auto texts = [&](std::size_t row)
+    {
+        std::string text;
+        for (const PdfTableCell &cell : table.rows[row])
+            text += cell.text + "|";
+        return text;
+    };
+    // 7 of 8, PAR-2 (7 + 18) / 8; 6 of 7, PAR-2 (6 + 18) / 7.
+    EXPECT_EQ(
+        texts(0),
+        "gives up (pebble)|20|10|7|0|0|3|87.5|52.9–97.8|3.12|12.1|1 timeout, 2 gave up; 2 of them without "
+        "a solution|");
+    EXPECT_EQ(texts(1), "proves (rotation)|20|10|6|2|1|1|85.7|48.7–97.4|3.43|13.7|1 timeout|");
+    const auto tables = summaryTables(results.records());
+    EXPECT_EQ(tables[0].rows[0][2].text, "7/8");
+    EXPECT_EQ(tables[0].rows[1][2].text, "6/7, 2 proved, 1 not applicable");
 }
 
 TEST(FailureTable, GroupsByPlannerStatusAndReason)

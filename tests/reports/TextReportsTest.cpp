@@ -70,8 +70,8 @@ TEST(MarkdownReport, HasFindingsTablesAndFigures)
     (void)MarkdownReport().write(results(), fakeProvenance(), again.path());
     const std::string text = readFile(folder.path() / "report.md");
     EXPECT_EQ(text, readFile(again.path() / "report.md"));
-    EXPECT_THAT(text, HasSubstr("| 1 | 50% \\_of\\_ \\`it\\`\\| (pebble) | 4/4 |"));
-    EXPECT_THAT(text, HasSubstr("* push\\_and\\_swap (pebble) needs fewer moves than"));
+    EXPECT_THAT(text, HasSubstr("| 1 | 50% \\_of\\_ \\`it\\`\\| \\(pebble\\) | 4/4 |"));
+    EXPECT_THAT(text, HasSubstr("* push\\_and\\_swap \\(pebble\\) needs fewer moves than"));
     EXPECT_THAT(text, HasSubstr("![](figures/overall-cactus-time.svg)"));
     EXPECT_TRUE(std::filesystem::exists(folder.path() / "figures" / "overall-cactus-time.svg"));
 }

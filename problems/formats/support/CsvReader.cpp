@@ -62,7 +62,8 @@ CsvReader::Cell CsvReader::cell()
         if (c == '\n')
             break;
         if (quoted && c != '\r')
-            throw ParseError({file_, line_, column}, "expected a comma or the line's end behind the quotation mark");
+            throw ParseError({file_, line_, column},
+                             "expected a comma or the line's end behind the quotation mark");
         if (c != '\r')
             cell.text += c;
     }

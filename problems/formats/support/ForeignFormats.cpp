@@ -128,21 +128,17 @@ std::string byFirstBytes(std::string_view text)
     if (text.size() > kTarMark && text.substr(kTarMark).starts_with("ustar"))
         return "a tar archive; unpack it first";
     const std::string_view beginning = text.substr(0, kBeginning);
-    if (const std::size_t zero = beginning.find('\0'); zero != std::string_view::npos)
+    const auto zeros = [beginning](std::size_t from)
     {
-        const auto zeros = [beginning](std::size_t from)
-        {
-            std::size_t count = 0;
-            for (std::size_t at = from; at < beginning.size(); at += 2)
-                count += beginning[at] == '\0' ? 1 : 0;
-            return count;
-        };
-        const std::size_t half = beginning.size() / 2;
-        if (half > 0 && std::max(zeros(0), zeros(1)) * 10 >= half * 9 &&
-            std::min(zeros(0), zeros(1)) * 10 <= half)
-            return "a text in UTF-16; save it as UTF-8";
-        return "binary data, no text";
-    }
+        std::size_t count = 0;
+        for (std::size_t at = from; at < beginning.size(); at += 2)
+            count += beginning[at] == '\0' ? 1 : 0;
+        return count;
+    };
+    const std::size_t half = beginning.size() / 2;
+    if (half > 0 && std::max(zeros(0), zeros(1)) * 10 >= half * 9 &&
+        std::min(zeros(0), zeros(1)) * 10 <= half)
+        return "a text in UTF-16; save it as UTF-8";
     return {};
 }
 
