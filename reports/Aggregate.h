@@ -31,7 +31,7 @@ struct RunPlace
     std::string sweepVariable; ///< empty where nothing is swept
     std::optional<double> sweepValue;
 
-    friend auto operator<=>(const RunPlace &, const RunPlace &) = default;
+    friend auto operator<=>(const RunPlace &, const RunPlace &) = default; // NOLINT(modernize-use-nullptr)
 };
 
 /// All runs of one planner at one place.

@@ -251,7 +251,7 @@ std::string caveatOf(const CaseTable &cases)
         return "";
     std::string text;
     for (const auto &[rule, list] : planners)
-        text += (text.empty() ? "" : "; ") + rule + ": " + list;
+        text.append(text.empty() ? "" : "; ").append(rule).append(": ").append(list);
     return "The planners' solutions obey different motion rules (" + text +
            "): a wider rule allows moves that a narrower one forbids, so differences between them are of "
            "rule and "

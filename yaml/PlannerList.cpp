@@ -216,9 +216,13 @@ std::vector<std::string> readFiles(const Config::Entry &entry)
 void refuseDoubtfulPlaces(const OutsideCommand &command, const std::vector<std::string> &known)
 {
     for (const std::string &braced : doubtfulPlacesIn(command.words))
-        throw PlanError(command.where, "there is no place {" + braced + "}" +
-                                           suggestion(asPlaceName(braced), known) +
-                                           "; the text itself is written {{" + braced + "}}");
+        throw PlanError(command.where, std::string("there is no place {")
+                                           .append(braced)
+                                           .append("}")
+                                           .append(suggestion(asPlaceName(braced), known))
+                                           .append("; the text itself is written {{")
+                                           .append(braced)
+                                           .append("}}"));
 }
 
 /// Every place is known and filled, every setting has a place, and the program is told its instance.
@@ -242,11 +246,15 @@ void checkPlaces(const OutsideCommand &command, const Config::Entry *settings)
     refuseDoubtfulPlaces(command, known);
     for (const std::string &place : places)
         if (!isIn(known, place))
-            throw PlanError(command.where, "nothing fills the place {" + place + "}" +
-                                               suggestion(place, known) +
-                                               " (values of your own stand under 'set'; the text itself is "
-                                               "written {{" +
-                                               place + "}})");
+            throw PlanError(command.where,
+                            std::string("nothing fills the place {")
+                                .append(place)
+                                .append("}")
+                                .append(suggestion(place, known))
+                                .append(" (values of your own stand under 'set'; the text itself "
+                                        "is written {{")
+                                .append(place)
+                                .append("}})"));
     if (!isIn(places, "instance") && !isIn(places, "scen"))
         throw PlanError(command.where,
                         "the command is not told its instance: it has neither {instance} nor {scen}");

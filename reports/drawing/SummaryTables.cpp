@@ -294,7 +294,7 @@ std::string lastLines(const std::string &text)
         const std::string line = oneLine(text.substr(first, end - first));
         if (line.find_first_not_of(' ') != std::string::npos)
         {
-            last = last.empty() ? line : line + " / " + last;
+            last.insert(0, last.empty() ? line : std::string(line).append(" / "));
             ++lines;
         }
         end = begin;
