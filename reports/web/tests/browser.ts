@@ -5,6 +5,7 @@ import { existsSync, mkdtempSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { type BrowserContext, type CDPSession, type Page, chromium } from "playwright-core";
+import { slowness } from "./slowness";
 
 const kBrowsers = [
     process.env.CHROMIUM ?? "",
@@ -75,6 +76,7 @@ export class Browser {
     private readonly driven = new Set<string>(); // names of the controls that had a click, a key or a change
 
     private session: CDPSession | null = null;
+    private readonly slowness = slowness();
 
     private constructor(
         private readonly context: BrowserContext,
@@ -193,13 +195,13 @@ export class Browser {
         await session.detach();
     }
 
-    /** Seconds of processor time that the page's main thread has had. */
+    /** Seconds of processor time that the page's main thread has had, of a usual machine. */
     async processorTime(): Promise<number> {
         if (!this.session) {
             this.session = await this.context.newCDPSession(this.page);
             await this.session.send("Performance.enable", { timeDomain: "threadTicks" });
         }
         const { metrics } = await this.session.send("Performance.getMetrics");
-        return metrics.find(({ name }) => name === "TaskDuration")?.value ?? 0;
+        return (metrics.find(({ name }) => name === "TaskDuration")?.value ?? 0) / this.slowness;
     }
 }
