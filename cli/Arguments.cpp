@@ -1,9 +1,9 @@
 #include "cli/Arguments.h"
 
 #include "cli/CampaignArguments.h"
-#include "cli/OneLine.h"
 #include "cli/Options.h"
 #include "framework/support/Config.h"
+#include "framework/support/ReadableText.h"
 #include "framework/support/Suggestion.h"
 #include "problems/formats/MovingAiMap.h"
 #include "problems/generators/Generator.h"

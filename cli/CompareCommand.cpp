@@ -1,11 +1,11 @@
 #include "cli/Commands.h"
-#include "cli/OneLine.h"
 #include "cli/Reporting.h"
-#include "framework/campaign/ResultStore.h"
-#include "framework/support/File.h"
+#include "framework/store/ResultStore.h"
+#include "framework/support/ReadableText.h"
+#include "framework/system/File.h"
 #include "reports/Answer.h"
-#include "reports/CampaignComparison.h"
-#include "reports/CampaignDifferences.h"
+#include "reports/summary/CampaignComparison.h"
+#include "reports/summary/CampaignDifferences.h"
 
 #include <algorithm>
 #include <iostream>

@@ -1,7 +1,7 @@
 #include "cli/Commands.h"
 #include "cli/Interruption.h"
 #include "cli/WorkLine.h"
-#include "framework/support/File.h"
+#include "framework/system/File.h"
 #include "problems/formats/Conversion.h"
 
 #include <iostream>

@@ -1,9 +1,9 @@
 #include "cli/KeptFiles.h"
 
-#include "framework/campaign/FolderLock.h"
+#include "framework/store/FolderLock.h"
 #include "framework/support/Error.h"
-#include "framework/support/File.h"
 #include "framework/support/Fingerprint.h"
+#include "framework/system/File.h"
 #include "problems/formats/Formats.h"
 
 #include <fstream>

@@ -7,10 +7,10 @@
 /// made to follow the plan's names (a renamed planner, an edited list of problems), from the store.
 /// `kept-files.csv` says which of the files are whose.
 
-#include "framework/campaign/BenchmarkPlan.h"
-#include "framework/campaign/Executor.h"
-#include "framework/campaign/ResultStore.h"
-#include "framework/campaign/ResultTable.h"
+#include "framework/plan/BenchmarkPlan.h"
+#include "framework/run/Executor.h"
+#include "framework/store/ResultStore.h"
+#include "framework/store/ResultTable.h"
 
 #include <filesystem>
 #include <map>

@@ -1,9 +1,9 @@
 #include "cli/Commands.h"
-#include "cli/Counted.h"
 #include "cli/Reporting.h"
-#include "framework/campaign/MergeCampaigns.h"
-#include "framework/campaign/ResultStore.h"
+#include "framework/store/MergeCampaigns.h"
+#include "framework/store/ResultStore.h"
 #include "framework/support/Error.h"
+#include "framework/support/ReadableText.h"
 
 #include <iostream>
 

@@ -1,6 +1,5 @@
 #include "cli/MissingPrograms.h"
-
-#include "cli/OneLine.h"
+#include "framework/support/ReadableText.h"
 
 #include <iostream>
 

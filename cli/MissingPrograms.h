@@ -1,6 +1,6 @@
 #pragma once
 
-#include "framework/campaign/BenchmarkPlan.h"
+#include "framework/plan/BenchmarkPlan.h"
 
 namespace mrpp
 {

@@ -2,7 +2,7 @@
 /// \file
 /// How far a campaign is: one line that is rewritten on a terminal, a line every few seconds elsewhere.
 
-#include "framework/campaign/RunRecord.h"
+#include "framework/run/RunRecord.h"
 
 #include <chrono>
 #include <map>

@@ -1,12 +1,12 @@
 #include "cli/Reporting.h"
 
-#include "framework/campaign/InProcessExecutor.h"
-#include "framework/campaign/Provenance.h"
-#include "framework/campaign/ResultStore.h"
-#include "framework/campaign/ResultTable.h"
-#include "framework/campaign/RunPlanner.h"
+#include "framework/run/InProcessExecutor.h"
+#include "framework/run/RunPlanner.h"
+#include "framework/store/Provenance.h"
+#include "framework/store/ResultStore.h"
+#include "framework/store/ResultTable.h"
 #include "framework/support/Error.h"
-#include "framework/support/File.h"
+#include "framework/system/File.h"
 #include "yaml/PlanReader.h"
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 /// Writes a campaign's reports from what its folder holds.
 
 #include "framework/Catalog.h"
-#include "framework/campaign/BenchmarkPlan.h"
+#include "framework/plan/BenchmarkPlan.h"
 
 #include <filesystem>
 #include <optional>

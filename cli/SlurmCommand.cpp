@@ -1,11 +1,11 @@
 #include "cli/Commands.h"
-#include "cli/Counted.h"
 #include "cli/MissingPrograms.h"
 #include "cli/SlurmScripts.h"
 #include "framework/support/Error.h"
-#include "framework/support/File.h"
-#include "framework/support/OutsideProgram.h"
-#include "framework/support/TemporaryFolder.h"
+#include "framework/support/ReadableText.h"
+#include "framework/system/File.h"
+#include "framework/system/OutsideProgram.h"
+#include "framework/system/TemporaryFolder.h"
 #include "yaml/PlanReader.h"
 
 #include <iostream>

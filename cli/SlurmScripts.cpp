@@ -1,6 +1,6 @@
 #include "cli/SlurmScripts.h"
 
-#include "framework/campaign/Shards.h"
+#include "framework/plan/Shards.h"
 
 #include <fmt/format.h>
 

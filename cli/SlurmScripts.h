@@ -3,7 +3,7 @@
 /// The scripts by which a Slurm cluster runs a campaign: an array of shards, and a job that merges them and
 /// writes the reports.
 
-#include "framework/campaign/BenchmarkPlan.h"
+#include "framework/plan/BenchmarkPlan.h"
 
 #include <cstdint>
 #include <filesystem>

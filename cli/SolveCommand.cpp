@@ -1,9 +1,9 @@
 #include "cli/Commands.h"
 #include "cli/Interruption.h"
 #include "cli/WorkLine.h"
-#include "framework/campaign/ReadableRecord.h"
-#include "framework/campaign/RunPlanner.h"
 #include "framework/evaluation/Condense.h"
+#include "framework/run/ReadableRecord.h"
+#include "framework/run/RunPlanner.h"
 #include "framework/support/Config.h"
 #include "problems/formats/Formats.h"
 

@@ -3,7 +3,7 @@
 #include "framework/evaluation/Metrics.h"
 #include "framework/evaluation/Validator.h"
 #include "framework/support/Error.h"
-#include "framework/support/File.h"
+#include "framework/system/File.h"
 #include "problems/formats/Formats.h"
 #include "reports/explorer/ExplorerPage.h"
 

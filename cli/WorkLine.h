@@ -3,7 +3,7 @@
 /// How far a long computation is: after two seconds one line on a terminal, which is rewritten, and goes away
 /// when it is over.
 
-#include "framework/support/Supervision.h"
+#include "framework/system/Supervision.h"
 
 #include <chrono>
 #include <ostream>

@@ -1,5 +1,5 @@
 #include "cli/Commands.h"
-#include "framework/campaign/Worker.h"
+#include "framework/worker/Worker.h"
 #include "yaml/PlanReader.h"
 
 #include <csignal>

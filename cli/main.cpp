@@ -1,12 +1,12 @@
 #include "algorithms/Algorithms.h"
 #include "cli/Arguments.h"
 #include "cli/Commands.h"
-#include "cli/OneLine.h"
 #include "cli/Plugins.h"
 #include "cli/SearchPaths.h"
 #include "cli/StandardOutput.h"
 #include "framework/Catalog.h"
 #include "framework/support/Error.h"
+#include "framework/support/ReadableText.h"
 #include "problems/Problems.h"
 #include "reports/Reports.h"
 

@@ -10,9 +10,9 @@
 /// \endcode
 
 #include "framework/Catalog.h"
-#include "framework/campaign/BenchmarkPlan.h"
-#include "framework/campaign/Executor.h"
-#include "framework/campaign/RunRecord.h"
+#include "framework/plan/BenchmarkPlan.h"
+#include "framework/run/Executor.h"
+#include "framework/run/RunRecord.h"
 
 #include <filesystem>
 #include <functional>
@@ -35,7 +35,7 @@ public:
         std::int64_t shard = 1;                ///< 1 … shards: run the shard-th part only
         std::int64_t shards = 1;
         /// Starts a worker process for this very plan: a program and its arguments that call serveRuns()
-        /// (mrpp "framework/campaign/Worker.h"). Where it is empty, or a pre-run event is set, runs happen in
+        /// (mrpp "framework/worker/Worker.h"). Where it is empty, or a pre-run event is set, runs happen in
         /// this process.
         std::vector<std::string> worker = {};
         /// Told when every input was read and is right; nothing is written before.

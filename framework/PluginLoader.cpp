@@ -1,7 +1,7 @@
 #include "framework/PluginLoader.h"
 
 #include "framework/Plugin.h"
-#include "framework/campaign/RunRecord.h"
+#include "framework/run/RunRecord.h"
 #include "framework/support/Error.h"
 
 #include <algorithm>

@@ -2,8 +2,8 @@
 /// \file
 /// Subclass Report to add a way to show a campaign's results.
 
-#include "framework/campaign/Provenance.h"
-#include "framework/campaign/ResultTable.h"
+#include "framework/store/Provenance.h"
+#include "framework/store/ResultTable.h"
 
 #include <filesystem>
 #include <vector>

@@ -4,7 +4,6 @@
 #include "problems/OneFactor.h"
 #include "problems/PublicBenchmark.h"
 #include "problems/SmallBenchmark.h"
-#include "problems/formats/AnimationsReport.h"
 #include "problems/formats/Exchange.h"
 #include "problems/formats/Formats.h"
 #include "problems/generators/Generators.h"
@@ -23,7 +22,6 @@ void registerProblems(Catalog &catalog)
     catalog.problems.add("fr_vg", "one factor: a fixed share of robots, a variable generated graph",
                          [] { return std::make_unique<OneFactor>(OneFactor::Varies::graph); });
     registerGenerators(catalog);
-    catalog.reports.add<AnimationsReport>("animations", "solutions of the first repetition, for GraphRec");
     for (FileFormat &format : fileFormats())
         catalog.formats.push_back(std::move(format));
     catalog.files = std::make_shared<const Exchange>();

@@ -1,6 +1,6 @@
 #include "reports/Answer.h"
 
-#include "framework/support/Quantiles.h"
+#include "framework/statistics/Quantiles.h"
 
 #include <algorithm>
 #include <cmath>

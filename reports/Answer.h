@@ -5,7 +5,7 @@
 /// Repetitions of a problem without chance are copies of one instance, and so are two points of a sweep that
 /// round to the same number of robots. Copies are one case: their answers are counted once.
 
-#include "framework/campaign/RunRecord.h"
+#include "framework/run/RunRecord.h"
 
 #include <limits>
 #include <optional>

@@ -1,7 +1,7 @@
 #include "reports/ChartsReport.h"
 
-#include "reports/drawing/CampaignFigures.h"
-#include "reports/drawing/Gnuplot.h"
+#include "reports/figures/CampaignFigures.h"
+#include "reports/gnuplot/Gnuplot.h"
 
 namespace mrpp
 {

@@ -1,10 +1,10 @@
 #include "reports/CsvReport.h"
 
+#include "framework/statistics/Proportion.h"
 #include "framework/support/Config.h"
-#include "framework/support/File.h"
-#include "framework/support/Proportion.h"
-#include "reports/Aggregate.h"
-#include "reports/drawing/Csv.h"
+#include "framework/system/File.h"
+#include "reports/document/Csv.h"
+#include "reports/summary/Aggregate.h"
 
 #include <algorithm>
 #include <array>

@@ -1,11 +1,11 @@
 #include "reports/HtmlReport.h"
 
 #include "framework/support/Config.h"
-#include "framework/support/File.h"
-#include "reports/KeyFacts.h"
-#include "reports/drawing/Picture.h"
-#include "reports/drawing/Text.h"
+#include "framework/system/File.h"
 #include "reports/explorer/ExplorerPage.h"
+#include "reports/picture/Picture.h"
+#include "reports/picture/Text.h"
+#include "reports/summary/KeyFacts.h"
 
 #include <algorithm>
 #include <fmt/format.h>

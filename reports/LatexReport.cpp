@@ -1,12 +1,12 @@
 #include "reports/LatexReport.h"
 
-#include "framework/support/File.h"
-#include "reports/Findings.h"
-#include "reports/drawing/CampaignFigures.h"
-#include "reports/drawing/Gnuplot.h"
-#include "reports/drawing/Markup.h"
-#include "reports/drawing/SummaryTables.h"
-#include "reports/drawing/Text.h"
+#include "framework/system/File.h"
+#include "reports/document/Markup.h"
+#include "reports/figures/CampaignFigures.h"
+#include "reports/gnuplot/Gnuplot.h"
+#include "reports/picture/Text.h"
+#include "reports/summary/Findings.h"
+#include "reports/summary/SummaryTables.h"
 
 #include <cmath>
 #include <fmt/format.h>

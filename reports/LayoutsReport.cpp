@@ -1,6 +1,6 @@
 #include "reports/LayoutsReport.h"
 
-#include "reports/drawing/CampaignLayouts.h"
+#include "reports/layouts/CampaignLayouts.h"
 
 namespace mrpp
 {

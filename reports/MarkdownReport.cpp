@@ -1,12 +1,12 @@
 #include "reports/MarkdownReport.h"
 
-#include "framework/support/File.h"
-#include "reports/Findings.h"
-#include "reports/KeyFacts.h"
-#include "reports/drawing/CampaignFigures.h"
-#include "reports/drawing/Gnuplot.h"
-#include "reports/drawing/Markup.h"
-#include "reports/drawing/SummaryTables.h"
+#include "framework/system/File.h"
+#include "reports/document/Markup.h"
+#include "reports/figures/CampaignFigures.h"
+#include "reports/gnuplot/Gnuplot.h"
+#include "reports/summary/Findings.h"
+#include "reports/summary/KeyFacts.h"
+#include "reports/summary/SummaryTables.h"
 
 #include <fmt/format.h>
 

@@ -1,15 +1,15 @@
 #include "reports/PdfReport.h"
 
-#include "framework/support/File.h"
-#include "reports/Findings.h"
-#include "reports/KeyFacts.h"
-#include "reports/drawing/CampaignFigures.h"
-#include "reports/drawing/CampaignLayouts.h"
-#include "reports/drawing/Gnuplot.h"
-#include "reports/drawing/PdfFile.h"
-#include "reports/drawing/PdfPages.h"
-#include "reports/drawing/SummaryTables.h"
-#include "reports/drawing/Text.h"
+#include "framework/system/File.h"
+#include "reports/document/PdfPages.h"
+#include "reports/figures/CampaignFigures.h"
+#include "reports/gnuplot/Gnuplot.h"
+#include "reports/layouts/CampaignLayouts.h"
+#include "reports/picture/PdfFile.h"
+#include "reports/picture/Text.h"
+#include "reports/summary/Findings.h"
+#include "reports/summary/KeyFacts.h"
+#include "reports/summary/SummaryTables.h"
 
 #include <algorithm>
 #include <fmt/format.h>

@@ -1,5 +1,6 @@
 #include "reports/Reports.h"
 
+#include "reports/AnimationsReport.h"
 #include "reports/ChartsReport.h"
 #include "reports/CsvReport.h"
 #include "reports/HtmlReport.h"
@@ -13,6 +14,7 @@ namespace mrpp
 
 void registerReports(Catalog &catalog)
 {
+    catalog.reports.add<AnimationsReport>("animations", "solutions of the first repetition, for GraphRec");
     catalog.reports.add<CsvReport>(
         "csv", "results.csv with a row a run, summary.csv with a row a planner and problem");
     catalog.reports.add<ChartsReport>("charts",

@@ -1,5 +1,6 @@
 #include "yaml/ChartList.h"
 
+#include "framework/run/RunRecord.h"
 #include "framework/support/Suggestion.h"
 
 #include <algorithm>

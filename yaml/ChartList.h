@@ -2,7 +2,7 @@
 /// \file
 /// The figures that a plan asks for: `- chart: {x: occupancy, y: path_length, per: robots, log: [y]}`.
 
-#include "framework/campaign/BenchmarkPlan.h"
+#include "framework/plan/BenchmarkPlan.h"
 #include "framework/support/Config.h"
 
 namespace mrpp

@@ -1,9 +1,9 @@
 #include "yaml/PlanReader.h"
 
 #include "framework/PluginLoader.h"
-#include "framework/campaign/Configuration.h"
-#include "framework/support/File.h"
+#include "framework/plan/Configuration.h"
 #include "framework/support/Suggestion.h"
+#include "framework/system/File.h"
 #include "yaml/ChartList.h"
 #include "yaml/PlanNodes.h"
 #include "yaml/PlannerList.h"

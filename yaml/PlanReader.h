@@ -3,8 +3,8 @@
 /// Reads a plan: strict YAML in, a BenchmarkPlan out, every complaint with file:line:column.
 
 #include "framework/Catalog.h"
-#include "framework/campaign/BenchmarkPlan.h"
-#include "framework/campaign/PointError.h"
+#include "framework/plan/BenchmarkPlan.h"
+#include "framework/plan/PointError.h"
 
 #include <filesystem>
 #include <string>

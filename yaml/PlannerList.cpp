@@ -1,7 +1,7 @@
 #include "yaml/PlannerList.h"
 
-#include "framework/campaign/CommandPlanner.h"
-#include "framework/campaign/OutsideCommand.h"
+#include "framework/outside/CommandPlanner.h"
+#include "framework/outside/OutsideCommand.h"
 #include "framework/support/Suggestion.h"
 #include "yaml/PlanNodes.h"
 #include "yaml/Sweep.h"

@@ -3,7 +3,7 @@
 /// The `planners` and `optimizers` of a plan: registered ones with their settings, and outside programs.
 
 #include "framework/Catalog.h"
-#include "framework/campaign/BenchmarkPlan.h"
+#include "framework/plan/BenchmarkPlan.h"
 #include "framework/support/Config.h"
 
 #include <filesystem>

@@ -2,7 +2,7 @@
 /// \file
 /// The `problems` of a plan: a family's name and its settings each, resolved to points.
 
-#include "framework/campaign/BenchmarkPlan.h"
+#include "framework/plan/BenchmarkPlan.h"
 #include "framework/support/Config.h"
 #include "yaml/Sweep.h"
 

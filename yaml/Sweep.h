@@ -12,7 +12,7 @@
 /// points \endcode
 
 #include "framework/Catalog.h"
-#include "framework/campaign/BenchmarkPlan.h"
+#include "framework/plan/BenchmarkPlan.h"
 #include "framework/support/Config.h"
 
 #include <map>

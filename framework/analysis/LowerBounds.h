@@ -18,7 +18,7 @@
 /// \endcode
 
 #include "framework/model/Instance.h"
-#include "framework/support/Supervision.h"
+#include "framework/system/Supervision.h"
 
 #include <cstdint>
 #include <limits>

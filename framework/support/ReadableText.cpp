@@ -90,6 +90,26 @@ std::string readable(std::string_view text)
     return shown;
 }
 
+std::string oneLine(std::string_view text)
+{
+    std::string line = readable(text);
+    std::replace_if(
+        line.begin(), line.end(), [](char c) { return c == '\n' || c == '\t'; }, ' ');
+    return line;
+}
+
+std::string counted(std::size_t count, std::string_view noun)
+{
+    if (count == 1)
+        return "1 " + std::string(noun);
+    std::string plural(noun);
+    if (plural.ends_with("vertex"))
+        plural.replace(plural.size() - 2, 2, "ices");
+    else
+        plural += plural.ends_with('s') ? "es" : "s";
+    return std::to_string(count) + " " + plural;
+}
+
 std::string_view tail(std::string_view text, std::size_t most)
 {
     if (text.size() <= most)

@@ -3,6 +3,7 @@
 /// Text from outside (what programs print, what plugins throw, bytes of files in messages) made fit to be
 /// kept and shown: in databases, tables, pages and on terminals.
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -20,6 +21,12 @@ namespace mrpp
 /// Valid UTF-8 without control characters: bytes that are no UTF-8 become U+FFFD, CR LF becomes a line feed,
 /// control characters are shown: `\x1B`, `\x00`, `\u202E`. Line feeds and tabs stay.
 [[nodiscard]] std::string readable(std::string_view text);
+
+/// readable(), with a blank for every line break and tab, so that no name can end its line.
+[[nodiscard]] std::string oneLine(std::string_view text);
+
+/// "1 run", "2 runs", "3 vertices".
+[[nodiscard]] std::string counted(std::size_t count, std::string_view noun);
 
 /// The last bytes, at most so many, without half a character at their beginning.
 [[nodiscard]] std::string_view tail(std::string_view text, std::size_t most);

@@ -1,8 +1,8 @@
 #include "problems/formats/Conversion.h"
 
 #include "framework/support/Error.h"
-#include "framework/support/File.h"
 #include "framework/support/Suggestion.h"
+#include "framework/system/File.h"
 #include "problems/formats/FormatId.h"
 #include "problems/formats/Formats.h"
 #include "problems/formats/GraphMl.h"

@@ -8,8 +8,8 @@
 ///     …
 /// \endcode
 
-#include "framework/support/File.h"
-#include "framework/support/Supervision.h"
+#include "framework/system/File.h"
+#include "framework/system/Supervision.h"
 
 #include <filesystem>
 #include <optional>

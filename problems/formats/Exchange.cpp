@@ -1,7 +1,7 @@
 #include "problems/formats/Exchange.h"
 
 #include "framework/support/Error.h"
-#include "framework/support/File.h"
+#include "framework/system/File.h"
 #include "problems/formats/FormatId.h"
 #include "problems/formats/Formats.h"
 #include "problems/formats/GraphMl.h"

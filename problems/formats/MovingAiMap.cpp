@@ -1,8 +1,8 @@
 #include "problems/formats/MovingAiMap.h"
 
 #include "framework/support/Config.h"
-#include "framework/support/File.h"
 #include "framework/support/Suggestion.h"
+#include "framework/system/File.h"
 #include "problems/formats/FormatId.h"
 #include "problems/formats/support/TextReader.h"
 

@@ -12,7 +12,7 @@
 /// first records. Fields are separated by tabs or blanks.
 
 #include "framework/model/Instance.h"
-#include "framework/support/Supervision.h"
+#include "framework/system/Supervision.h"
 #include "problems/formats/MovingAiMap.h"
 
 #include <cstdint>

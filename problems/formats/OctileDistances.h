@@ -7,7 +7,7 @@
 /// from eight landmarks, too (A. V. Goldberg, C. Harrelson, SODA 2005).
 
 #include "framework/model/Instance.h"
-#include "framework/support/Supervision.h"
+#include "framework/system/Supervision.h"
 #include "problems/formats/MovingAiMap.h"
 
 #include <array>

@@ -1,7 +1,7 @@
 #include "problems/formats/SolutionCsv.h"
 
 #include "framework/support/Config.h"
-#include "framework/support/File.h"
+#include "framework/system/File.h"
 #include "problems/formats/FormatId.h"
 #include "problems/formats/support/TextReader.h"
 

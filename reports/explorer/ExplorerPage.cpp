@@ -2,9 +2,9 @@
 
 #include "framework/evaluation/Metrics.h"
 #include "framework/support/Error.h"
-#include "reports/drawing/Palette.h"
 #include "reports/explorer/ExplorerTemplate.h"
 #include "reports/explorer/Packing.h"
+#include "reports/picture/Palette.h"
 
 #include <algorithm>
 #include <map>

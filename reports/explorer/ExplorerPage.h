@@ -6,7 +6,7 @@
 /// The data stand in <script> elements of types that browsers do not run: `explorer` holds JSON (in which `<`
 /// is written \u003c), `runs`, `graphN`, `caseN`, `solutionN` and `optimizedN` hold packedText().
 
-#include "framework/campaign/RunRecord.h"
+#include "framework/run/RunRecord.h"
 #include "reports/explorer/PlayableRuns.h"
 
 #include <span>

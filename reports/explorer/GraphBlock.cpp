@@ -2,7 +2,7 @@
 
 #include "framework/analysis/Blocks.h"
 #include "framework/support/Bytes.h"
-#include "reports/drawing/LayoutPicture.h"
+#include "reports/layouts/LayoutPicture.h"
 
 #include <algorithm>
 #include <cmath>

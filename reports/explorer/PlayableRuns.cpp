@@ -1,6 +1,6 @@
 #include "reports/explorer/PlayableRuns.h"
 
-#include "framework/campaign/SolutionCodec.h"
+#include "framework/store/SolutionCodec.h"
 #include "framework/support/Bytes.h"
 #include "reports/explorer/GraphBlock.h"
 #include "reports/explorer/Packing.h"

@@ -2,10 +2,10 @@
 /// \file
 /// The solutions that a page can play, packed, with the graphs and instances that they need, each only once.
 
-#include "framework/campaign/RunRecord.h"
 #include "framework/model/Instance.h"
 #include "framework/model/Schedule.h"
 #include "framework/model/Solution.h"
+#include "framework/run/RunRecord.h"
 
 #include <cstddef>
 #include <map>

@@ -1,7 +1,7 @@
 #include "algorithms/optimizers/RedundancyRemoval.h"
 
 #include "framework/evaluation/Validator.h"
-#include "framework/support/Memory.h"
+#include "framework/system/Memory.h"
 #include "tests/support/CpuClock.h"
 #include "tests/support/RandomCases.h"
 

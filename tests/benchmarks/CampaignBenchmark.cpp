@@ -2,7 +2,7 @@
 /// the disk before it counts.
 
 #include "framework/Benchmark.h"
-#include "framework/campaign/WorkerExecutor.h"
+#include "framework/worker/WorkerExecutor.h"
 #include "tests/campaign/Fixtures.h"
 #include "tests/campaign/Hostile.h"
 

@@ -1,8 +1,8 @@
-#include "framework/campaign/BenchmarkPlan.h"
-#include "framework/campaign/Configuration.h"
+#include "framework/plan/BenchmarkPlan.h"
+#include "framework/plan/Configuration.h"
 
 #include "framework/support/Error.h"
-#include "framework/support/File.h"
+#include "framework/system/File.h"
 #include "tests/campaign/Fixtures.h"
 
 #include <gtest/gtest.h>

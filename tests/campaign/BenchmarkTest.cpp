@@ -1,9 +1,9 @@
 #include "framework/Benchmark.h"
 
-#include "framework/campaign/Provenance.h"
-#include "framework/campaign/ResultStore.h"
+#include "framework/store/Provenance.h"
+#include "framework/store/ResultStore.h"
 #include "framework/support/Error.h"
-#include "framework/support/File.h"
+#include "framework/system/File.h"
 #include "tests/campaign/Fixtures.h"
 
 #include <gmock/gmock.h>

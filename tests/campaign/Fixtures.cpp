@@ -1,8 +1,8 @@
 #include "tests/campaign/Fixtures.h"
 
-#include "framework/campaign/ResultStore.h"
-#include "framework/campaign/RunRecordJson.h"
-#include "framework/support/File.h"
+#include "framework/run/RunRecordJson.h"
+#include "framework/store/ResultStore.h"
+#include "framework/system/File.h"
 
 #include <chrono>
 #include <cstdlib>

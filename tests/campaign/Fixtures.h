@@ -3,9 +3,9 @@
 /// A tiny problem family, planners that behave and misbehave, and plans of them.
 
 #include "framework/Catalog.h"
-#include "framework/campaign/BenchmarkPlan.h"
-#include "framework/campaign/ResultTable.h"
-#include "framework/campaign/RunRecord.h"
+#include "framework/plan/BenchmarkPlan.h"
+#include "framework/run/RunRecord.h"
+#include "framework/store/ResultTable.h"
 
 #include <filesystem>
 #include <string>

@@ -3,7 +3,7 @@
 /// Planners that only a process of their own can contain.
 
 #include "framework/Catalog.h"
-#include "framework/campaign/BenchmarkPlan.h"
+#include "framework/plan/BenchmarkPlan.h"
 
 namespace mrpp::fixtures
 {

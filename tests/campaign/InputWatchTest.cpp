@@ -1,9 +1,9 @@
-#include "framework/campaign/InputWatch.h"
+#include "framework/run/InputWatch.h"
 
 #include "framework/Benchmark.h"
-#include "framework/campaign/ResultStore.h"
-#include "framework/support/File.h"
+#include "framework/store/ResultStore.h"
 #include "framework/support/HarnessError.h"
+#include "framework/system/File.h"
 #include "tests/campaign/Fixtures.h"
 
 #include <gmock/gmock.h>

@@ -1,5 +1,5 @@
 #include "framework/Benchmark.h"
-#include "framework/campaign/ResultStore.h"
+#include "framework/store/ResultStore.h"
 #include "tests/campaign/Victim.h"
 
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
-#include "framework/campaign/OutsideCommand.h"
+#include "framework/outside/OutsideCommand.h"
 
-#include "framework/campaign/WorkingFolder.h"
-#include "framework/support/File.h"
-#include "framework/support/TemporaryFolder.h"
+#include "framework/outside/WorkingFolder.h"
+#include "framework/system/File.h"
+#include "framework/system/TemporaryFolder.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -3,8 +3,8 @@
 /// MRPP_PAUSES says how often each time; a few by default.
 
 #include "framework/Benchmark.h"
-#include "framework/campaign/ResultStore.h"
-#include "framework/support/ProcessTree.h"
+#include "framework/store/ResultStore.h"
+#include "framework/system/ProcessTree.h"
 #include "tests/campaign/Fixtures.h"
 #include "tests/campaign/Hostile.h"
 #include "tests/campaign/Processes.h"

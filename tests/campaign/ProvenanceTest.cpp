@@ -1,4 +1,4 @@
-#include "framework/campaign/Provenance.h"
+#include "framework/store/Provenance.h"
 
 #include "framework/support/Error.h"
 

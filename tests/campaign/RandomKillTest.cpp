@@ -4,7 +4,7 @@
 /// by default.
 
 #include "framework/Benchmark.h"
-#include "framework/campaign/ResultStore.h"
+#include "framework/store/ResultStore.h"
 #include "tests/campaign/Fixtures.h"
 #include "tests/campaign/Hostile.h"
 #include "tests/campaign/Processes.h"

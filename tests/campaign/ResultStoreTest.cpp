@@ -1,9 +1,9 @@
-#include "framework/campaign/ResultStore.h"
+#include "framework/store/ResultStore.h"
 
-#include "framework/campaign/RunRecordJson.h"
-#include "framework/campaign/Sqlite.h"
+#include "framework/run/RunRecordJson.h"
+#include "framework/store/Sqlite.h"
 #include "framework/support/Error.h"
-#include "framework/support/File.h"
+#include "framework/system/File.h"
 #include "tests/campaign/Fixtures.h"
 
 #include <gmock/gmock.h>

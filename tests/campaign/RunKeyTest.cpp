@@ -1,10 +1,10 @@
-#include "framework/campaign/RunKey.h"
+#include "framework/plan/RunKey.h"
 
 #include "framework/Benchmark.h"
-#include "framework/campaign/Configuration.h"
-#include "framework/campaign/ResultStore.h"
-#include "framework/campaign/WhyRun.h"
-#include "framework/support/File.h"
+#include "framework/plan/Configuration.h"
+#include "framework/store/ResultStore.h"
+#include "framework/store/WhyRun.h"
+#include "framework/system/File.h"
 #include "tests/campaign/Fixtures.h"
 
 #include <gmock/gmock.h>

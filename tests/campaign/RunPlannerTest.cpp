@@ -1,7 +1,7 @@
-#include "framework/campaign/RunPlanner.h"
+#include "framework/run/RunPlanner.h"
 
 #include "framework/LateAnswer.h"
-#include "framework/campaign/InProcessExecutor.h"
+#include "framework/run/InProcessExecutor.h"
 #include "tests/campaign/Fixtures.h"
 
 #include <gmock/gmock.h>

@@ -1,6 +1,6 @@
-#include "framework/campaign/RunQueue.h"
+#include "framework/run/RunQueue.h"
 
-#include "framework/campaign/ResultWriter.h"
+#include "framework/store/ResultWriter.h"
 #include "framework/support/Error.h"
 #include "tests/campaign/Fixtures.h"
 

@@ -1,7 +1,7 @@
-#include "framework/campaign/RunRecord.h"
+#include "framework/run/RunRecord.h"
 #include "framework/evaluation/Metrics.h"
 
-#include "framework/campaign/RunRecordJson.h"
+#include "framework/run/RunRecordJson.h"
 
 #include <gtest/gtest.h>
 

@@ -3,10 +3,11 @@
 /// 100 000 by default, for which the limits (CPU seconds) are scaled.
 
 #include "framework/Benchmark.h"
-#include "framework/campaign/Configuration.h"
-#include "framework/campaign/Provenance.h"
-#include "framework/campaign/ResultStore.h"
-#include "framework/campaign/Sqlite.h"
+#include "framework/plan/Configuration.h"
+#include "framework/run/RunIdentity.h"
+#include "framework/store/Provenance.h"
+#include "framework/store/ResultStore.h"
+#include "framework/store/Sqlite.h"
 #include "tests/campaign/Fixtures.h"
 #include "tests/support/CpuClock.h"
 

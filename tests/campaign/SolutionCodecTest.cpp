@@ -1,4 +1,4 @@
-#include "framework/campaign/SolutionCodec.h"
+#include "framework/store/SolutionCodec.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 
 #include "tests/campaign/Victim.h"
 #include "framework/Benchmark.h"
-#include "framework/campaign/Worker.h"
+#include "framework/worker/Worker.h"
 #include "tests/campaign/Hostile.h"
 
 #include <cstdio>

@@ -2,9 +2,9 @@
 /// Worker processes, seen through whole campaigns.
 
 #include "framework/Benchmark.h"
-#include "framework/campaign/ResultStore.h"
-#include "framework/support/Cores.h"
+#include "framework/store/ResultStore.h"
 #include "framework/support/Error.h"
+#include "framework/system/Cores.h"
 #include "tests/campaign/Fixtures.h"
 #include "tests/campaign/Hostile.h"
 #include "tests/campaign/Processes.h"

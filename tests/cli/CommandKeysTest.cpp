@@ -1,7 +1,7 @@
 /// What a run by an outside program is known by: its values as the texts that they are, and the files that
 /// its command names.
 
-#include "framework/campaign/ResultStore.h"
+#include "framework/store/ResultStore.h"
 #include "tests/cli/Program.h"
 
 #include <gmock/gmock.h>

@@ -1,6 +1,6 @@
 /// Outside programs as planners, most of them a line of shell.
 
-#include "framework/campaign/ResultStore.h"
+#include "framework/store/ResultStore.h"
 #include "tests/cli/Program.h"
 
 #include <gmock/gmock.h>

@@ -1,4 +1,4 @@
-#include "framework/campaign/Sqlite.h"
+#include "framework/store/Sqlite.h"
 #include "tests/cli/Comparison.h"
 #include "tests/cli/Program.h"
 

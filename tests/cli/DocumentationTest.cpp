@@ -5,7 +5,7 @@
 
 #include "tests/cli/Program.h"
 
-#include "framework/support/File.h"
+#include "framework/system/File.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 /// What goes wrong around the planners is no planner's failure: full and missing temporary folders, programs
 /// that cannot be started, inputs that change, kills, limits of the system.
 
-#include "framework/campaign/ResultStore.h"
+#include "framework/store/ResultStore.h"
 #include "tests/cli/Program.h"
 
 #include <gmock/gmock.h>

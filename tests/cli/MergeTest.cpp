@@ -1,5 +1,5 @@
-#include "framework/campaign/ResultStore.h"
-#include "framework/campaign/Sqlite.h"
+#include "framework/store/ResultStore.h"
+#include "framework/store/Sqlite.h"
 #include "tests/cli/Comparison.h"
 #include "tests/cli/Program.h"
 

@@ -2,7 +2,7 @@
 
 #include "framework/Plugin.h"
 
-#include "framework/campaign/RunRecord.h"
+#include "framework/run/RunRecord.h"
 
 #include <cstdlib>
 #include <stdexcept>

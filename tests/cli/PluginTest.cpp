@@ -1,4 +1,4 @@
-#include "framework/campaign/ResultStore.h"
+#include "framework/store/ResultStore.h"
 #include "tests/cli/Program.h"
 
 #include <gmock/gmock.h>

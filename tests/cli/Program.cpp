@@ -1,6 +1,6 @@
 #include "tests/cli/Program.h"
 
-#include "framework/support/File.h"
+#include "framework/system/File.h"
 
 #include <array>
 #include <csignal>

@@ -2,7 +2,7 @@
 #include "Star.h"
 
 #include "framework/Plugin.h"
-#include "framework/support/File.h"
+#include "framework/system/File.h"
 
 #include <set>
 

@@ -3,7 +3,7 @@
 
 #include "algorithms/Algorithms.h"
 #include "framework/Benchmark.h"
-#include "framework/campaign/ResultStore.h"
+#include "framework/store/ResultStore.h"
 #include "problems/Problems.h"
 #include "reports/Reports.h"
 #include "yaml/PlanReader.h"

@@ -1,7 +1,7 @@
 /// \file
 /// Every plan that comes with the program can be read, and says what it is.
 
-#include "framework/support/File.h"
+#include "framework/system/File.h"
 #include "tests/contract/EverythingRegistered.h"
 #include "yaml/PlanReader.h"
 

@@ -2,7 +2,7 @@
 /// What every registered problem family must do.
 
 #include "framework/analysis/Components.h"
-#include "framework/support/File.h"
+#include "framework/system/File.h"
 #include "problems/generators/Generator.h"
 #include "tests/contract/EverythingRegistered.h"
 #include "tests/contract/UnderLimits.h"

@@ -1,8 +1,8 @@
 /// \file
 /// What every registered report must do.
 
-#include "framework/campaign/ResultTable.h"
-#include "framework/support/File.h"
+#include "framework/store/ResultTable.h"
+#include "framework/system/File.h"
 #include "tests/contract/EverythingRegistered.h"
 
 #include <filesystem>

@@ -1,6 +1,6 @@
 #include "tests/contract/UnderLimits.h"
 
-#include "framework/support/Memory.h"
+#include "framework/system/Memory.h"
 
 #include <gtest/gtest.h>
 

@@ -11,7 +11,7 @@
 /// }
 /// \endcode
 
-#include "framework/campaign/BenchmarkPlan.h"
+#include "framework/plan/BenchmarkPlan.h"
 
 #include <functional>
 

@@ -1,8 +1,8 @@
 /// Intervals hold what they promise, by simulation. MRPP_COVERAGE=50 takes fifty times as many samples.
 
-#include "framework/support/PairedComparison.h"
-#include "framework/support/Proportion.h"
-#include "framework/support/Quantiles.h"
+#include "framework/statistics/PairedComparison.h"
+#include "framework/statistics/Proportion.h"
+#include "framework/statistics/Quantiles.h"
 #include "framework/support/Random.h"
 
 #include <cmath>

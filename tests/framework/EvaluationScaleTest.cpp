@@ -5,7 +5,7 @@
 #include "framework/evaluation/Condense.h"
 #include "framework/evaluation/Metrics.h"
 #include "framework/evaluation/Validator.h"
-#include "framework/support/Memory.h"
+#include "framework/system/Memory.h"
 #include "tests/support/RandomCases.h"
 
 #include <gtest/gtest.h>

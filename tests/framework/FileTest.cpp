@@ -1,6 +1,6 @@
-#include "framework/support/File.h"
+#include "framework/system/File.h"
 #include "framework/support/Error.h"
-#include "framework/support/Memory.h"
+#include "framework/system/Memory.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "framework/support/Friedman.h"
+#include "framework/statistics/Friedman.h"
 
 #include <cmath>
 #include <gtest/gtest.h>

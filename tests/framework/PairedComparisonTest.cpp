@@ -1,4 +1,4 @@
-#include "framework/support/PairedComparison.h"
+#include "framework/statistics/PairedComparison.h"
 
 #include <cmath>
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
-#include "framework/support/ProcessState.h"
+#include "framework/system/ProcessState.h"
 
-#include "framework/support/PauseWatch.h"
+#include "framework/system/PauseWatch.h"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
 /// \file
 /// Cores, process trees and control groups: what the engine asks of the system.
 
-#include "framework/support/ControlGroup.h"
-#include "framework/support/Cores.h"
-#include "framework/support/CpuTime.h"
-#include "framework/support/ProcessTree.h"
+#include "framework/system/ControlGroup.h"
+#include "framework/system/Cores.h"
+#include "framework/system/CpuTime.h"
+#include "framework/system/ProcessTree.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "framework/support/Profiles.h"
+#include "framework/statistics/Profiles.h"
 
 #include <gtest/gtest.h>
 

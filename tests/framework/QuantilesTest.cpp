@@ -1,4 +1,4 @@
-#include "framework/support/Quantiles.h"
+#include "framework/statistics/Quantiles.h"
 #include "framework/support/Random.h"
 
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "framework/support/ScalingFit.h"
+#include "framework/statistics/ScalingFit.h"
 
 #include <cmath>
 #include <gtest/gtest.h>

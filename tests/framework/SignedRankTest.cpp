@@ -1,5 +1,5 @@
-#include "framework/support/SignedRank.h"
-#include "framework/support/Proportion.h"
+#include "framework/statistics/SignedRank.h"
+#include "framework/statistics/Proportion.h"
 
 #include <gtest/gtest.h>
 #include <vector>

@@ -1,4 +1,4 @@
-#include "framework/support/TemporaryFolder.h"
+#include "framework/system/TemporaryFolder.h"
 
 #include <gtest/gtest.h>
 

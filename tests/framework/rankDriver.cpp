@@ -3,9 +3,9 @@
 /// c21 …`, costs of K planners on points of r repetitions each (-1: failed), answered by the planners' mean
 /// ranks.
 
-#include "framework/support/Friedman.h"
-#include "framework/support/PairedComparison.h"
-#include "framework/support/Quantiles.h"
+#include "framework/statistics/Friedman.h"
+#include "framework/statistics/PairedComparison.h"
+#include "framework/statistics/Quantiles.h"
 
 #include <cstdio>
 #include <iostream>

@@ -2,7 +2,7 @@
 
 #include "problems/formats/Conversion.h"
 
-#include "framework/support/File.h"
+#include "framework/system/File.h"
 #include "problems/formats/Formats.h"
 #include "problems/formats/SolutionCsv.h"
 #include "problems/formats/Surynek.h"

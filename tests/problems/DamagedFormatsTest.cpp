@@ -2,7 +2,7 @@
 /// MRPP_DAMAGED_FILES is the number of cases a format (1500 where it is not set).
 
 #include "framework/support/Config.h"
-#include "framework/support/Memory.h"
+#include "framework/system/Memory.h"
 
 #include "tests/problems/FormatReaders.h"
 #include "tests/support/CpuClock.h"

@@ -2,7 +2,7 @@
 
 #include "framework/analysis/Components.h"
 #include "framework/support/Error.h"
-#include "framework/support/File.h"
+#include "framework/system/File.h"
 #include "problems/FullyControlled.h"
 #include "problems/PublicBenchmark.h"
 #include "problems/formats/Formats.h"

@@ -3,7 +3,7 @@
 
 #include "framework/support/Config.h"
 #include "framework/support/Error.h"
-#include "framework/support/File.h"
+#include "framework/system/File.h"
 #include "problems/formats/Conversion.h"
 #include "problems/formats/Formats.h"
 

@@ -3,7 +3,7 @@
 #include "problems/formats/Formats.h"
 
 #include "framework/support/Error.h"
-#include "framework/support/File.h"
+#include "framework/system/File.h"
 #include "problems/Problems.h"
 #include "problems/formats/GraphMl.h"
 #include "problems/formats/GraphRec.h"

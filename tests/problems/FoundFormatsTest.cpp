@@ -2,7 +2,7 @@
 
 #include "framework/evaluation/Validator.h"
 #include "framework/support/Error.h"
-#include "framework/support/File.h"
+#include "framework/system/File.h"
 #include "problems/formats/Conversion.h"
 #include "problems/formats/Exchange.h"
 #include "problems/formats/Formats.h"

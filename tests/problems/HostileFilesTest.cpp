@@ -4,7 +4,7 @@
 #include "problems/formats/Formats.h"
 
 #include "framework/support/Error.h"
-#include "framework/support/Memory.h"
+#include "framework/system/Memory.h"
 #include "tests/support/CpuClock.h"
 #include "tests/support/RandomCases.h"
 

@@ -1,7 +1,7 @@
 #include "framework/analysis/Components.h"
 #include "framework/support/Error.h"
-#include "framework/support/File.h"
 #include "framework/support/Random.h"
+#include "framework/system/File.h"
 #include "problems/formats/MovingAiScenario.h"
 
 #include <cmath>

@@ -5,7 +5,7 @@
 
 #include "framework/evaluation/Validator.h"
 #include "framework/support/Error.h"
-#include "framework/support/File.h"
+#include "framework/system/File.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 /// larger one: for every generator and for maps, however the robots are counted.
 
 #include "framework/Catalog.h"
-#include "framework/support/File.h"
+#include "framework/system/File.h"
 #include "problems/Problems.h"
 #include "problems/generators/Generator.h"
 #include "yaml/ProblemList.h"

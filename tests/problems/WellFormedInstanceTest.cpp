@@ -3,7 +3,7 @@
 #include "problems/WellFormedInstance.h"
 #include "framework/Catalog.h"
 #include "framework/support/Error.h"
-#include "framework/support/File.h"
+#include "framework/system/File.h"
 #include "problems/Problems.h"
 #include "problems/generators/Generator.h"
 #include "problems/generators/Grid.h"

@@ -1,4 +1,4 @@
-#include "reports/Aggregate.h"
+#include "reports/summary/Aggregate.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "reports/CampaignDifferences.h"
+#include "reports/summary/CampaignDifferences.h"
 #include "tests/reports/Campaigns.h"
 
 #include <gmock/gmock.h>

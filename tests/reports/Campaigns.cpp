@@ -1,6 +1,7 @@
 #include "tests/reports/Campaigns.h"
 
 #include "framework/Problem.h"
+#include "framework/run/RunIdentity.h"
 #include "framework/support/Config.h"
 
 #include <cmath>

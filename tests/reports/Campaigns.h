@@ -2,9 +2,9 @@
 /// \file
 /// Hand-made campaigns for the tests of reports: any planners, problems and outcomes, with no planner run.
 
-#include "framework/campaign/Provenance.h"
-#include "framework/campaign/ResultTable.h"
 #include "framework/model/Instance.h"
+#include "framework/store/Provenance.h"
+#include "framework/store/ResultTable.h"
 
 #include <functional>
 #include <map>

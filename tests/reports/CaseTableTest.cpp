@@ -1,4 +1,4 @@
-#include "reports/CaseTable.h"
+#include "reports/summary/CaseTable.h"
 #include "tests/reports/Campaigns.h"
 
 #include <gtest/gtest.h>

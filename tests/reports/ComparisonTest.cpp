@@ -1,5 +1,5 @@
-#include "framework/support/Proportion.h"
-#include "reports/CampaignComparison.h"
+#include "framework/statistics/Proportion.h"
+#include "reports/summary/CampaignComparison.h"
 #include "tests/reports/Campaigns.h"
 
 #include <gmock/gmock.h>

@@ -1,7 +1,7 @@
 #include "reports/CsvReport.h"
 #include "framework/support/Error.h"
-#include "framework/support/File.h"
-#include "reports/drawing/TemporaryFolder.h"
+#include "framework/system/File.h"
+#include "reports/picture/TemporaryFolder.h"
 #include "tests/reports/Campaigns.h"
 #include "tests/reports/Golden.h"
 

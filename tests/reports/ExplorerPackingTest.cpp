@@ -1,5 +1,5 @@
 #include "framework/analysis/Blocks.h"
-#include "framework/campaign/SolutionCodec.h"
+#include "framework/store/SolutionCodec.h"
 #include "reports/explorer/GraphBlock.h"
 #include "reports/explorer/Packing.h"
 #include "reports/explorer/PlayableRuns.h"

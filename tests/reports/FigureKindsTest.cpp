@@ -1,8 +1,8 @@
-#include "framework/support/File.h"
+#include "framework/system/File.h"
 #include "reports/ChartsReport.h"
-#include "reports/drawing/CampaignFigures.h"
-#include "reports/drawing/FigureScript.h"
-#include "reports/drawing/TemporaryFolder.h"
+#include "reports/figures/CampaignFigures.h"
+#include "reports/gnuplot/FigureScript.h"
+#include "reports/picture/TemporaryFolder.h"
 #include "tests/reports/Campaigns.h"
 
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "reports/Findings.h"
+#include "reports/summary/Findings.h"
 #include "tests/reports/Campaigns.h"
 
 #include <gmock/gmock.h>

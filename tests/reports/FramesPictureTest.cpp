@@ -1,7 +1,7 @@
-#include "reports/drawing/FramesPicture.h"
-#include "framework/support/File.h"
-#include "reports/drawing/Process.h"
-#include "reports/drawing/TemporaryFolder.h"
+#include "reports/layouts/FramesPicture.h"
+#include "framework/system/File.h"
+#include "reports/picture/Process.h"
+#include "reports/picture/TemporaryFolder.h"
 #include "tests/reports/Campaigns.h"
 
 #include <gmock/gmock.h>

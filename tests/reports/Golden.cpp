@@ -1,6 +1,6 @@
 #include "tests/reports/Golden.h"
 
-#include "framework/support/File.h"
+#include "framework/system/File.h"
 
 #include <cstdlib>
 #include <filesystem>

@@ -1,7 +1,7 @@
-#include "reports/drawing/GraphvizGraph.h"
-#include "framework/support/File.h"
+#include "reports/layouts/GraphvizGraph.h"
+#include "framework/system/File.h"
 #include "reports/LayoutsReport.h"
-#include "reports/drawing/TemporaryFolder.h"
+#include "reports/picture/TemporaryFolder.h"
 #include "tests/reports/Campaigns.h"
 #include "tests/reports/EnvironmentVariable.h"
 

@@ -1,9 +1,9 @@
 #include "reports/HtmlReport.h"
 
-#include "framework/campaign/SolutionCodec.h"
-#include "framework/support/File.h"
-#include "reports/drawing/TemporaryFolder.h"
+#include "framework/store/SolutionCodec.h"
+#include "framework/system/File.h"
 #include "reports/explorer/ExplorerPage.h"
+#include "reports/picture/TemporaryFolder.h"
 #include "tests/reports/Campaigns.h"
 #include "tests/reports/Unpacked.h"
 

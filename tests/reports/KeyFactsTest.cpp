@@ -1,4 +1,4 @@
-#include "reports/KeyFacts.h"
+#include "reports/summary/KeyFacts.h"
 #include "tests/reports/Campaigns.h"
 
 #include <gtest/gtest.h>

@@ -1,10 +1,10 @@
 #include "reports/LayoutsReport.h"
 #include "framework/support/Error.h"
-#include "framework/support/File.h"
-#include "reports/drawing/CampaignLayouts.h"
-#include "reports/drawing/GraphvizGraph.h"
-#include "reports/drawing/LayoutPicture.h"
-#include "reports/drawing/TemporaryFolder.h"
+#include "framework/system/File.h"
+#include "reports/layouts/CampaignLayouts.h"
+#include "reports/layouts/GraphvizGraph.h"
+#include "reports/layouts/LayoutPicture.h"
+#include "reports/picture/TemporaryFolder.h"
 #include "tests/reports/Campaigns.h"
 
 #include <cmath>

@@ -4,8 +4,8 @@
 #include "algorithms/PushAndSwap.h"
 #include "framework/Problem.h"
 #include "problems/formats/MovingAiMap.h"
-#include "reports/drawing/FramesPicture.h"
-#include "reports/drawing/LayoutPicture.h"
+#include "reports/layouts/FramesPicture.h"
+#include "reports/layouts/LayoutPicture.h"
 #include "tests/support/CpuClock.h"
 
 #include <filesystem>

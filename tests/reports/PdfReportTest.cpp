@@ -1,12 +1,12 @@
 #include "reports/PdfReport.h"
 #include "framework/support/Error.h"
-#include "framework/support/File.h"
+#include "framework/system/File.h"
 #include "reports/ChartsReport.h"
-#include "reports/drawing/PdfFile.h"
-#include "reports/drawing/Picture.h"
-#include "reports/drawing/Process.h"
-#include "reports/drawing/SummaryTables.h"
-#include "reports/drawing/TemporaryFolder.h"
+#include "reports/picture/PdfFile.h"
+#include "reports/picture/Picture.h"
+#include "reports/picture/Process.h"
+#include "reports/picture/TemporaryFolder.h"
+#include "reports/summary/SummaryTables.h"
 #include "tests/reports/Campaigns.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-#include "reports/drawing/Process.h"
-#include "reports/drawing/TemporaryFolder.h"
+#include "reports/picture/Process.h"
+#include "reports/picture/TemporaryFolder.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "reports/drawing/StructurePicture.h"
+#include "reports/layouts/StructurePicture.h"
 #include "tests/reports/Campaigns.h"
 
 #include <gmock/gmock.h>

@@ -1,7 +1,7 @@
-#include "reports/drawing/Text.h"
-#include "reports/drawing/Axis.h"
-#include "reports/drawing/Numbers.h"
-#include "reports/drawing/Palette.h"
+#include "reports/picture/Text.h"
+#include "reports/gnuplot/Axis.h"
+#include "reports/picture/Numbers.h"
+#include "reports/picture/Palette.h"
 
 #include <gtest/gtest.h>
 #include <set>
@@ -12,14 +12,14 @@ namespace mrpp
 namespace
 {
 
-TEST(OneLine, DropsControlCharactersAndRepairsUtf8)
+TEST(OneLine, ShowsControlCharactersAndRepairsUtf8)
 {
-    EXPECT_EQ(oneLine("a\nb\tc\x01\x7F"), "a b c");
+    EXPECT_EQ(oneLine("a\nb\tc\x01\x7F"), "a b c\\x01\\x7F");
     EXPECT_EQ(oneLine("grün 8×8 😀"), "grün 8×8 😀");
     EXPECT_EQ(oneLine("\xFFx\xC3"), "\uFFFDx\uFFFD");
     EXPECT_EQ(oneLine("\xED\xA0\x80"), "\uFFFD\uFFFD\uFFFD"); // a surrogate
-    EXPECT_EQ(oneLine("\xC2\x85z"), "z");                     // a C1 control character
-    EXPECT_EQ(manyLines("a\n\tb\r"), "a\n    b");
+    EXPECT_EQ(oneLine("\xC2\x85z"), "\\x85z");                // a C1 control character
+    EXPECT_EQ(manyLines("a\n\tb\r\n"), "a\n    b\n");
 }
 
 TEST(Ellipsize, CutsCharactersNotBytes)

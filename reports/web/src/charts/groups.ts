@@ -1,4 +1,4 @@
-// Order statistics as framework/support/Quantiles.h has them. An infinite value stands for no answer.
+// Order statistics as framework/statistics/Quantiles.h has them. An infinite value stands for no answer.
 
 export interface Quartiles {
     low: number;

@@ -116,7 +116,7 @@ const kLeastInCommon = 8;
 
 /**
  * Planners that are compared all at once, and the instances that all of them solved: see commonCases() of
- * reports/CaseTable.h. No planner where no two have eight instances in common.
+ * reports/summary/CaseTable.h. No planner where no two have eight instances in common.
  */
 export function commonInstances(answers: Answer[]): { planners: string[]; instances: Set<string> } {
     const solved = new Map(

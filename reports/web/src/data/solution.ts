@@ -1,4 +1,4 @@
-// Solutions as framework/campaign/SolutionCodec.h packs them: moves in order, cut into steps of moves that
+// Solutions as framework/store/SolutionCodec.h packs them: moves in order, cut into steps of moves that
 // happen at once (an action of one move, or a rotation).
 import { ByteReader } from "./bytes";
 

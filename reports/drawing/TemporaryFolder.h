@@ -1,3 +1,0 @@
-#pragma once
-
-#include "framework/support/TemporaryFolder.h"
