@@ -1,8 +1,8 @@
 #include "reports/ChartsReport.h"
 #include "framework/support/Error.h"
 #include "framework/system/File.h"
+#include "framework/system/TemporaryFolder.h"
 #include "reports/PdfReport.h"
-#include "reports/picture/TemporaryFolder.h"
 #include "tests/reports/Campaigns.h"
 #include "tests/reports/EnvironmentVariable.h"
 

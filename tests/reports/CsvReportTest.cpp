@@ -1,7 +1,7 @@
 #include "reports/CsvReport.h"
 #include "framework/support/Error.h"
 #include "framework/system/File.h"
-#include "reports/picture/TemporaryFolder.h"
+#include "framework/system/TemporaryFolder.h"
 #include "tests/reports/Campaigns.h"
 #include "tests/reports/Golden.h"
 

@@ -1,8 +1,8 @@
 #include "framework/system/File.h"
+#include "framework/system/TemporaryFolder.h"
 #include "reports/ChartsReport.h"
 #include "reports/figures/CampaignFigures.h"
 #include "reports/gnuplot/FigureScript.h"
-#include "reports/picture/TemporaryFolder.h"
 #include "tests/reports/Campaigns.h"
 
 #include <cmath>

@@ -1,9 +1,9 @@
 #include "reports/gnuplot/FigureScript.h"
 #include "framework/system/File.h"
+#include "framework/system/TemporaryFolder.h"
 #include "reports/figures/CampaignFigures.h"
 #include "reports/gnuplot/Gnuplot.h"
 #include "reports/picture/Process.h"
-#include "reports/picture/TemporaryFolder.h"
 #include "tests/reports/Campaigns.h"
 #include "tests/reports/Golden.h"
 

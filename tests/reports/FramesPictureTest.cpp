@@ -1,7 +1,7 @@
 #include "reports/layouts/FramesPicture.h"
 #include "framework/system/File.h"
+#include "framework/system/TemporaryFolder.h"
 #include "reports/picture/Process.h"
-#include "reports/picture/TemporaryFolder.h"
 #include "tests/reports/Campaigns.h"
 
 #include <gmock/gmock.h>

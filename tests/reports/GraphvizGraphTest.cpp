@@ -1,7 +1,7 @@
 #include "reports/layouts/GraphvizGraph.h"
 #include "framework/system/File.h"
+#include "framework/system/TemporaryFolder.h"
 #include "reports/LayoutsReport.h"
-#include "reports/picture/TemporaryFolder.h"
 #include "tests/reports/Campaigns.h"
 #include "tests/reports/EnvironmentVariable.h"
 

@@ -2,8 +2,8 @@
 
 #include "framework/store/SolutionCodec.h"
 #include "framework/system/File.h"
+#include "framework/system/TemporaryFolder.h"
 #include "reports/explorer/ExplorerPage.h"
-#include "reports/picture/TemporaryFolder.h"
 #include "tests/reports/Campaigns.h"
 #include "tests/reports/Unpacked.h"
 

@@ -1,10 +1,10 @@
 #include "reports/LayoutsReport.h"
 #include "framework/support/Error.h"
 #include "framework/system/File.h"
+#include "framework/system/TemporaryFolder.h"
 #include "reports/layouts/CampaignLayouts.h"
 #include "reports/layouts/GraphvizGraph.h"
 #include "reports/layouts/LayoutPicture.h"
-#include "reports/picture/TemporaryFolder.h"
 #include "tests/reports/Campaigns.h"
 
 #include <cmath>

@@ -1,11 +1,11 @@
 #include "reports/PdfReport.h"
 #include "framework/support/Error.h"
 #include "framework/system/File.h"
+#include "framework/system/TemporaryFolder.h"
 #include "reports/ChartsReport.h"
 #include "reports/picture/PdfFile.h"
 #include "reports/picture/Picture.h"
 #include "reports/picture/Process.h"
-#include "reports/picture/TemporaryFolder.h"
 #include "reports/summary/SummaryTables.h"
 #include "tests/reports/Campaigns.h"
 

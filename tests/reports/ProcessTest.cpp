@@ -1,5 +1,5 @@
 #include "reports/picture/Process.h"
-#include "reports/picture/TemporaryFolder.h"
+#include "framework/system/TemporaryFolder.h"
 
 #include <gtest/gtest.h>
 

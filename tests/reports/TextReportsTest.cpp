@@ -1,8 +1,8 @@
 #include "framework/system/File.h"
+#include "framework/system/TemporaryFolder.h"
 #include "reports/LatexReport.h"
 #include "reports/MarkdownReport.h"
 #include "reports/document/Markup.h"
-#include "reports/picture/TemporaryFolder.h"
 #include "tests/reports/Campaigns.h"
 
 #include <gmock/gmock.h>
